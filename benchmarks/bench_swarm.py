@@ -3,8 +3,7 @@
     python -m pytest -n0 benchmarks/bench_swarm.py --benchmark-columns=min,median
 
 The states are spread over [-1, 1] x [-2, 2] at the paper's parameters.  Extra information:
-states times periods in a second; the peer is `cap.floats.engine.flow`, in pure Python, for an orbit
-that neither turns nor sticks.
+states times periods in a second; the peer is `cap.flow.itinerary`, in pure Python.
 """
 
 import subprocess
@@ -15,9 +14,9 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.floats.engine import flow, swarm
+from cap.floats.engine import swarm
 from cap.floats.models.engine import Engine
-from cap.flow.itinerary import oscillator
+from cap.flow.itinerary import itinerary
 from cap.parameters import PAPER
 from cap.system.friction import oscillator as model
 
@@ -71,8 +70,7 @@ def test_swarm_without_turning(benchmark):
 
 
 def test_peer_pure_python(benchmark):
-    o = oscillator(PAPER)
-    benchmark(flow.one_period, o, *ELLIPTIC)
+    benchmark(itinerary, PAPER, *ELLIPTIC, end=2 * np.pi)
     report(benchmark, 1)
 
 

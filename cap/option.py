@@ -64,10 +64,7 @@ def count(least: int, most: int) -> Reader:
 
 def positive(words: Sequence[str], name: str) -> float:
     """Read a positive number."""
-    value = float(exact(words[0]))
-    if value <= 0:
-        raise BadInput(f"--{name} must be positive: {words[0].strip()}")
-    return value
+    return float(exact_positive(words, name))
 
 
 def exact_number(words: Sequence[str], _name: str) -> Fraction:

@@ -43,7 +43,7 @@ from cap.flow.strobe import oscillator
 from cap.flow.windows import Itinerary
 from cap.parameters import Parameters
 from cap.proofs.certified import Content
-from cap.proofs.fixed_point import Proof, Setting, assembled, bits
+from cap.proofs.fixed_point import Proof, Setting, bits, settled
 from cap.proofs.options import RANGE_OF_F
 from cap.proofs.release_hints import cell_bits, checker_of, followable, lemma_5_basin
 from cap.release import kneading
@@ -69,8 +69,7 @@ def prove(setting: Setting) -> Proof:
     """Prove the theorem; there is no size left to choose."""
     proved = Unimodal(setting)
     content = proved.certified(*lemma_3_entropy(setting, proved.trap, proved.turn, proved.halves))
-    certificate = assembled("attractor", setting, setting.parameters.strings(), content)
-    return lambda _part: certificate
+    return settled("attractor", setting, setting.parameters.strings(), content)
 
 
 class Unimodal:

@@ -50,7 +50,7 @@ from cap.maps.twist import regular_twist
 from cap.one_one.closed_form import asymmetric
 from cap.one_one.transport import period_jet
 from cap.proofs.branch_curve import Bracket, Curve, Part, decimals
-from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.fixed_point import Proof, Setting, settled
 from cap.proofs.one_one import Scale, lemma_1_closed_form
 from cap.proofs.options import JOBS, JOURNAL, RANGE_OF_F, range_of_f
 from cap.proofs.pitchfork import lemma_2_parabolic, parameters
@@ -93,8 +93,7 @@ def prove(setting: Setting) -> Proof:
         "resonances": [decimals(ends) for ends in resonances.values()],
         "twist_zeros": [decimals(ends) for ends in zeros],
     }
-    proved = assembled("branch", setting, parameters(setting), (claims, hints))
-    return lambda _part: proved
+    return settled("branch", setting, parameters(setting), (claims, hints))
 
 
 class Steps(NamedTuple):

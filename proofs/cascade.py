@@ -27,7 +27,7 @@ from cap.errors import NotProved
 from cap.floats import candidates
 from cap.parameters import Parameters
 from cap.proofs.certified import Content
-from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.fixed_point import Proof, Setting, settled
 from cap.proofs.options import RANGE_OF_F, whole_range_of_f
 from cap.release import doubling
 from cap.release.cycle import foreseen_cycle
@@ -68,8 +68,7 @@ def prove(setting: Setting) -> Proof:
         content = certified(setting, first, found)
     strings = p.strings()
     del strings["f"]
-    certificate = assembled("cascade", setting, strings, content)
-    return lambda _part: certificate
+    return settled("cascade", setting, strings, content)
 
 
 class Guess(NamedTuple):

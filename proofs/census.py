@@ -9,8 +9,8 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from cap.errors import NotProved
-from cap.one_one.closed_form import Orbit, asymmetric, birth, friction, symmetric
-from cap.proofs.one_one import asymmetry
+from cap.one_one.closed_form import Orbit, symmetric
+from cap.proofs.one_one import pair_at
 from cap.sets import interval
 from cap.sets.interval import Ball
 
@@ -38,7 +38,9 @@ def census(alpha: Fraction, rho: Fraction) -> list[Member]:
     with interval.workprec(BITS):
         a, ratio = interval.ball(alpha), interval.ball(rho)
         found = [_symmetric(name, a, ratio, sign) for name, sign in (("plus", 1), ("minus", -1))]
-        return [member for member in (*found, _pair(alpha, a, ratio)) if member]
+        pair = pair_at(a, ratio, PLACES, "census")
+        found += [_member("pair", pair[1])] if pair else []
+        return [member for member in found if member]
 
 
 def _symmetric(name: str, alpha: Ball, rho: Ball, sign: int) -> Member | None:
@@ -51,17 +53,6 @@ def _symmetric(name: str, alpha: Ball, rho: Ball, sign: int) -> Member | None:
     if orbit.mean_speed < 0:
         return None
     return _member(name, orbit)
-
-
-def _pair(alpha: Fraction, ball: Ball, rho: Ball) -> Member | None:
-    """Return the pair, if α is below its birth and its speed is positive at δ(α)."""
-    S = birth(rho)
-    if S > 1 or ball > friction(S):
-        return None
-    if not ball < friction(S):
-        raise NotProved("census", "a pair may be born at these parameters", {"f/F": float(alpha)})
-    ends = asymmetry(ball, rho, PLACES)
-    return _member("pair", asymmetric(interval.hull(*map(interval.ball, ends)), rho))
 
 
 def _member(name: str, orbit: Orbit) -> Member | None:

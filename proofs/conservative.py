@@ -47,7 +47,7 @@ from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.option import Option, count
 from cap.parameters import Parameters
-from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.fixed_point import Proof, Setting, settled
 from cap.proofs.options import JOBS, JOURNAL
 from cap.runner import Runner, within
 from cap.sets.compiled import PROBE, require_ieee, rounds_to_nearest
@@ -114,8 +114,7 @@ def prove(setting: Setting) -> Proof:
         "speed": _speed(p.F / p.omega, (ceiling[0] + ceiling[2]), (p.F - p.f) * p.R),
     }
     parameters = p.elastic_strings()
-    proved = assembled("conservative", setting, parameters, (claims, hints))
-    return lambda _part: proved
+    return settled("conservative", setting, parameters, (claims, hints))
 
 
 def lemma_3_ceiling(p: Parameters, ceiling: tuple[Fraction, Fraction, Fraction]) -> None:

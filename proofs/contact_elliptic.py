@@ -31,7 +31,7 @@ from cap.orbits.strobe import Strobe
 from cap.proofs import contacts
 from cap.proofs.certified import assembled
 from cap.proofs.contacts import Prepared
-from cap.proofs.elliptic import RESONANCES
+from cap.proofs.elliptic import without_resonance
 from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.interval import exact_decimal as _decimal
@@ -87,12 +87,7 @@ def twist(orbit: PeriodicOrbit, prover: Prover, digits: int) -> dict[str, Any]:
         sets = {"trace": a + d}
         raise NotProved("elliptic", "the sum of the multipliers is not in (-2, 2)", sets)
     linear = normal_form.ellipticity(*jets)
-    rotation = normal_form.rotation_number(linear)
-    far = {name: abs(rotation - interval.ball(p)) for name, p in RESONANCES.items()}
-    for name, distance in far.items():
-        if not distance > 0:
-            sets = {"rotation number": rotation}
-            raise NotProved("resonance", f"the rotation number may be {name}", sets)
+    rotation, far = without_resonance(linear, "resonance")
     (tau,) = normal_form.twists(*jets)
     if not (tau > 0 or tau < 0):
         raise NotProved("twist", "the twist coefficient may vanish", {"tau_1": tau})

@@ -26,8 +26,8 @@ from cap.areas.rings.search import COLUMNS, Island, Ring, rings
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.floats.candidates import tori
-from cap.proofs.fixed_point import Proof, Setting, assembled
-from cap.proofs.island import Place, centred, lemma_1_centre, located, state
+from cap.proofs.fixed_point import Proof, Setting, settled
+from cap.proofs.island_centre import Place, centred, lemma_1_centre, located, state
 from cap.proofs.options import JOBS
 from cap.sets import interval
 from cap.sets.compiled import PROBE, require_ieee, rounds_to_nearest
@@ -70,8 +70,7 @@ def prove(setting: Setting) -> Proof:
         **krawczyk,
         "flights": [ring.flights for ring in found],
     }
-    proved = assembled("converse", setting, strings, (claims, hints))
-    return lambda _part: proved
+    return settled("converse", setting, strings, (claims, hints))
 
 
 def lemma_2_rings(setting: Setting, place: Place, middle: tuple[Fraction, Fraction]) -> list[Ring]:

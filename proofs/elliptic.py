@@ -35,6 +35,7 @@ from cap.flow.model import Oscillator
 from cap.flow.strobe import strobe
 from cap.maps import normal_form
 from cap.maps.fixed_point import FixedPoint, Neighbourhood
+from cap.maps.normal_form import Ellipticity
 from cap.option import Option, choice
 from cap.proofs.certified import Content
 from cap.proofs.fixed_point import Around, Located, Proof, Setting, proof_of
@@ -113,18 +114,24 @@ def lemma_3_ellipticity(setting: Setting, jets: tuple[Jet, Jet]) -> dict[str, An
     each p/q with q <= 4; as 0 < |Θ|/2π < 1/2, those in [0, 1/2] suffice.
     """
     linear = normal_form.ellipticity(*jets)
-    rotation = normal_form.rotation_number(linear)
-    distances = {name: abs(rotation - interval.ball(p)) for name, p in RESONANCES.items()}
-    for name, distance in distances.items():
-        if not distance > 0:
-            sets = {"rotation number": rotation}
-            raise NotProved("Lemma 3", f"the rotation number may be {name}", sets)
+    rotation, distances = without_resonance(linear, "Lemma 3")
     pair = setting.rounding.pair
     return {
         "rotation_angle": pair(linear.theta),
         "rotation_number": pair(rotation),
         "resonance_distances": {name: pair(value) for name, value in distances.items()},
     }
+
+
+def without_resonance(linear: Ellipticity, step: str) -> tuple[Ball, dict[str, Ball]]:
+    """Return the rotation number, and its distances to the resonances; raise with the ``step``."""
+    rotation = normal_form.rotation_number(linear)
+    distances = {name: abs(rotation - interval.ball(p)) for name, p in RESONANCES.items()}
+    for name, distance in distances.items():
+        if not distance > 0:
+            sets = {"rotation number": rotation}
+            raise NotProved(step, f"the rotation number may be {name}", sets)
+    return rotation, distances
 
 
 def lemma_4_twist(setting: Setting, jets: tuple[Jet, Jet]) -> dict[str, Any]:

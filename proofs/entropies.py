@@ -25,13 +25,13 @@ from math import ceil, floor, log
 from typing import Any
 
 from cap.certificate import NONE
-from cap.certificate.writer import window
+from cap.certificate.writer import exact, window
 from cap.checker.release.strip import MOST_ENTROPY
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.flow.windows import Itinerary
 from cap.parameters import Parameters
-from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.fixed_point import Proof, Setting, settled
 from cap.proofs.options import JOBS, JOURNAL, RANGE_OF_F, whole_range_of_f
 from cap.proofs.strip_hints import CHECKED, Referee
 from cap.release import kneading, piece
@@ -75,7 +75,7 @@ def prove(setting: Setting) -> Proof:
         raise NotProved("Lemma 1", "the release maps differ too much over the range: take parts")
     ((halves, turn),) = kinds
     claims = {
-        "range": [_exact(low), _exact(high)],
+        "range": [exact(low), exact(high)],
         "half_periods": halves,
         "turn": turn,
         "strips": [strip["claim"] for strip in strips],
@@ -84,8 +84,7 @@ def prove(setting: Setting) -> Proof:
     hints = {"bits": str(CHECKED), "strips": [strip["hint"] for strip in strips]}
     strings = setting.parameters.strings()
     del strings["f"]
-    certificate = assembled("entropies", setting, strings, (claims, hints))
-    return lambda _part: certificate
+    return settled("entropies", setting, strings, (claims, hints))
 
 
 def _read(verdict: str) -> Any:
@@ -205,10 +204,12 @@ def lemma_2_piece(
 def claim_of(part: Family, sequence: str, cycle: piece.Attracting | None) -> dict[str, Any]:
     """Return what is claimed of a piece."""
     return {
-        "f": [_exact(part.low), _exact(part.high)],
+        "f": [exact(part.low), exact(part.high)],
         "kneading": sequence,
         "entropy": entropy(sequence),
-        "cycle": NONE if cycle is None else {name: _exact(q) for name, q in asdict(cycle).items()},
+        "cycle": NONE
+        if cycle is None
+        else {name: exact(Fraction(q)) for name, q in asdict(cycle).items()},
     }
 
 
@@ -224,13 +225,3 @@ def entropy(sequence: str) -> list[str]:
         if h > 0 and kneading.compared(symbols, kneading.tent(s)) != sign:
             raise NotProved("Lemma 2", "the bounds of the entropy are not certain", {"h": h})
     return [interval.decimal(lower, PLACES), interval.decimal(upper, PLACES)]
-
-
-def _exact(f: Fraction | int) -> str:
-    """Return an exact number, as a decimal if it is one."""
-    tens = next((n for n in range(31) if 10**n % f.denominator == 0), None)
-    return str(f) if tens is None else interval.exact_decimal(Fraction(f))
-
-
-def _pair(ends: tuple[Fraction, Fraction]) -> list[str]:
-    return [interval.exact_decimal(end) for end in ends]

@@ -31,7 +31,7 @@ from cap.errors import BadInput
 from cap.floats import candidates
 from cap.option import Option, choice, count
 from cap.proofs.coverings import ABOUT, WHICH, Asked, Proved, first_that_grows
-from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.fixed_point import Proof, Setting, settled
 from cap.proofs.options import JOBS
 from cap.runner import Runner
 
@@ -66,8 +66,7 @@ def prove(setting: Setting) -> Proof:
         raise BadInput("the theorem horseshoe needs f > 0, e = 1 and mu = 0")
     best = _best(setting, p.f / p.F, p.R * p.omega**2 / (2 * p.F))
     claims, hints = best.claims(2), best.hints()
-    certificate = assembled("horseshoe", setting, p.elastic_strings(), (claims, hints))
-    return lambda _part: certificate
+    return settled("horseshoe", setting, p.elastic_strings(), (claims, hints))
 
 
 def _best(setting: Setting, phi: Fraction, a: Fraction) -> Proved:

@@ -36,7 +36,7 @@ from typing import Any
 
 from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.floats import candidates
-from cap.proofs.fixed_point import Proof, Setting, assembled, bits
+from cap.proofs.fixed_point import Proof, Setting, bits, settled
 from cap.sets import interval
 from cap.sets.interval import Ball
 
@@ -60,8 +60,7 @@ def prove(setting: Setting) -> Proof:
         }
     if not Fraction(claims["margin"][0]) > 0:
         raise NotProved("Lemma 1", "the digits claimed do not tell f from 2F/pi: claim more")
-    proved = assembled("impulse", setting, p.strings(), (claims, _hints(setting)))
-    return lambda _part: proved
+    return settled("impulse", setting, p.strings(), (claims, _hints(setting)))
 
 
 def lemma_1_margin(setting: Setting) -> Ball:

@@ -31,11 +31,10 @@ from cap.floats import candidates
 from cap.maps import inventory
 from cap.maps.inventory import Box, Effort, TooMany, Tree
 from cap.maps.launch_set import Constants, Window
-from cap.one_one.closed_form import Orbit, asymmetric, birth, friction, symmetric
-from cap.proofs.fixed_point import Proof, Setting, assembled
-from cap.proofs.one_one import Scale, asymmetry
+from cap.one_one.closed_form import Orbit, symmetric
+from cap.proofs.fixed_point import Proof, Setting, settled
+from cap.proofs.one_one import Scale, pair_at
 from cap.sets import interval
-from cap.sets.interval import Ball
 
 SUMMARY = "all T-periodic orbits whose velocity never vanishes: none is left out"
 GROUP = "family"
@@ -66,8 +65,7 @@ def prove(setting: Setting) -> Proof:
         "flights": [_told(windows) for windows in found.flights],
     }
     strings = setting.parameters.elastic_strings()
-    proved = assembled("inventory", setting, strings, (claims, hints))
-    return lambda _part: proved
+    return settled("inventory", setting, strings, (claims, hints))
 
 
 def lemma_1_launches(setting: Setting) -> tuple[inventory.Bounds, Tree]:
@@ -110,26 +108,13 @@ def lemma_2_one_hit(setting: Setting) -> tuple[list[dict[str, Any]], Any]:
         orbit = symmetric(alpha, scale.rho, sign)
         if not orbit.mean_speed < 0 and _is_orbit(orbit):
             points.append(point(scale, orbit))
-    pair = _pair(setting, alpha, scale.rho)
+    pair = pair_at(alpha, scale.rho, setting.precise, "Lemma 2")
     if pair is not None:
         ends, orbit = pair
         hint = [interval.exact_decimal(end) for end in ends]
         if _is_orbit(orbit):
             points += [point(scale, orbit), point(scale, orbit.mirrored())]
     return points, hint
-
-
-def _pair(
-    setting: Setting, alpha: Ball, rho: Ball
-) -> tuple[tuple[Fraction, Fraction], Orbit] | None:
-    """Return δ of the asymmetric orbits between two decimals, and the one of δ > 0."""
-    S = birth(rho)
-    if S > 1 or alpha > friction(S):
-        return None
-    if not alpha < friction(S):
-        raise NotProved("Lemma 2", "a pair may be born at these parameters", {"f/F": alpha})
-    ends = asymmetry(alpha, rho, setting.precise)
-    return ends, asymmetric(interval.hull(*map(interval.ball, ends)), rho)
 
 
 def _is_orbit(orbit: Orbit) -> bool:

@@ -22,8 +22,9 @@ from cap.floats import candidates
 from cap.floats.candidates import Request
 from cap.option import Option, count
 from cap.parameters import Parameters
-from cap.proofs.fixed_point import Proof, Setting, assembled
-from cap.proofs.island import island, located
+from cap.proofs.fixed_point import Proof, Setting, settled
+from cap.proofs.island import island
+from cap.proofs.island_centre import located
 from cap.proofs.options import JOBS, JOURNAL, RANGE_OF_F, whole_range_of_f
 from cap.proofs.rotation_choice import INWARDS, within
 from cap.runner import Plan
@@ -82,8 +83,7 @@ def prove(setting: Setting) -> Proof:
         "islands": [each["hints"] for each in proved.values()],
         "open": [{"f": str(f), **found[f]} for f in values if f not in proved],
     }
-    certificate = assembled("islands", setting, strings, (claims, hints))
-    return lambda _part: certificate
+    return settled("islands", setting, strings, (claims, hints))
 
 
 def _found(

@@ -12,7 +12,7 @@ from typing import Any
 
 from cap.certificate.writer import Pair
 from cap.errors import NotProved
-from cap.one_one.closed_form import Orbit, asymmetric
+from cap.one_one.closed_form import Orbit, asymmetric, birth, friction
 from cap.proofs.fixed_point import Setting
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball
@@ -160,6 +160,22 @@ def asymmetry(alpha: Ball, rho: Ball, places: int) -> tuple[Fraction, Fraction]:
         return Ball(-1) if orbit.S > 1 else orbit.alpha - alpha
 
     return bisection.crossing(above, Fraction(0), Fraction(157, 100), places)
+
+
+def pair_at(
+    alpha: Ball, rho: Ball, places: int, step: str
+) -> tuple[tuple[Fraction, Fraction], Orbit] | None:
+    """Return δ of the asymmetric orbits between two decimals, and the one of δ > 0.
+
+    None above their birth; raises `NotProved` with the ``step`` if they may be born here.
+    """
+    S = birth(rho)
+    if S > 1 or alpha > friction(S):
+        return None
+    if not alpha < friction(S):
+        raise NotProved(step, "a pair may be born at these parameters", {"f/F": alpha})
+    ends = asymmetry(alpha, rho, places)
+    return ends, asymmetric(interval.hull(*map(interval.ball, ends)), rho)
 
 
 class Scale:

@@ -41,7 +41,7 @@ from cap.orbits.strobe import Strobe
 from cap.particles import contacts
 from cap.particles.guess import Guess
 from cap.particles.itinerary import unknowns
-from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.fixed_point import Proof, Setting, settled
 from cap.proofs.options import OF_MASSES
 from cap.proofs.particle_cells import NODE, REACH_OF_CELLS, Line, Masses, Solved, family
 from cap.proofs.particle_orbit import centre_of, lemma_1_existence, radius_of
@@ -100,8 +100,7 @@ def prove(setting: Setting) -> Proof:
             "node_radius": interval.exact_decimal(NODE),
             "cell_reach": interval.exact_decimal(REACH_OF_CELLS),
         }
-    proved = assembled("particles_limits", setting, strings, (claims, hints))
-    return lambda _part: proved
+    return settled("particles_limits", setting, strings, (claims, hints))
 
 
 def lemma_1_flip(masses: Masses, guess: Guess) -> Crossing:

@@ -25,7 +25,7 @@ from typing import Any
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.one_one.closed_form import Orbit, asymmetric, birth, friction, symmetric
-from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.fixed_point import Proof, Setting, settled
 from cap.proofs.one_one import Scale, lemma_1_closed_form
 from cap.sets import interval
 from cap.sets.elementary import sqrt
@@ -50,8 +50,7 @@ def prove(setting: Setting) -> Proof:
             **lemma_3_branching(scale, orbit),
         }
     hints = {"bits": str(setting.checker_bits)}
-    proved = assembled("pitchfork", setting, parameters(setting), (claims, hints))
-    return lambda _part: proved
+    return settled("pitchfork", setting, parameters(setting), (claims, hints))
 
 
 def parameters(setting: Setting) -> dict[str, str]:

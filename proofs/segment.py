@@ -33,7 +33,7 @@ from cap.floats import candidates
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
 from cap.parameters import Parameters
-from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.fixed_point import Proof, Setting, settled
 from cap.sets import interval
 from cap.sets.interval import Ball
 
@@ -64,8 +64,7 @@ def prove(setting: Setting) -> Proof:
         claims |= lemma_3_basin(osc, setting, velocity, claims)
     hints = {"bits": str(setting.checker_bits)}
     strings = setting.parameters.strings()
-    proved = assembled("segment", setting, strings, (claims, hints))
-    return lambda _part: proved
+    return settled("segment", setting, strings, (claims, hints))
 
 
 def lemma_1_velocity(osc: Oscillator[Ball], p: Parameters) -> Velocity:

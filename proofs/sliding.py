@@ -24,7 +24,7 @@ from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
-from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.fixed_point import Proof, Setting, settled
 from cap.proofs.options import OF_MASSES
 from cap.proofs.particle_orbit import system
 from cap.proofs.segment import Drift, Velocity, drift_of, lemma_1_velocity
@@ -50,8 +50,7 @@ def prove(setting: Setting) -> Proof:
         drift = drift_of(osc, claims["turning_times"][0])
         claims |= lemma_3_basin(setting, drift, side, shares)
     hints = {"bits": str(setting.checker_bits)}
-    proved = assembled("sliding", setting, strings, (claims, hints))
-    return lambda _part: proved
+    return settled("sliding", setting, strings, (claims, hints))
 
 
 def lemma_2_triangle(

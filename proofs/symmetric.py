@@ -51,7 +51,7 @@ from cap.certificate import NONE
 from cap.errors import NotProved
 from cap.floats import candidates
 from cap.one_one.closed_form import Orbit, birth, friction, symmetric
-from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.fixed_point import Proof, Setting, settled
 from cap.proofs.one_one import Scale, lemma_1_closed_form
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball
@@ -75,8 +75,7 @@ def prove(setting: Setting) -> Proof:
         }
     hints = {"bits": str(setting.checker_bits)}
     parameters = setting.parameters.elastic_strings()
-    proved = assembled("symmetric", setting, parameters, (claims, hints))
-    return lambda _part: proved
+    return settled("symmetric", setting, parameters, (claims, hints))
 
 
 def lemma_2_orbit(scale: Scale, name: str, sign: int) -> dict[str, Any] | str:

@@ -22,7 +22,7 @@ from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
 from cap.proofs.attractor import Kneading, Unimodal, claims_of, lemma_2_into_itself
 from cap.proofs.certified import Content
-from cap.proofs.fixed_point import Proof, Setting, assembled, bits, inside
+from cap.proofs.fixed_point import Proof, Setting, bits, inside, settled
 from cap.release import kneading
 from cap.release.cycle import Round, contracted, foreseen_cycle, refined
 from cap.release.passage import image
@@ -44,8 +44,7 @@ def prove(setting: Setting) -> Proof:
     proved = Unimodal(setting)
     with interval.workprec(setting.checker_bits):
         claims, hints = certified(proved, found)
-    certificate = assembled("window", setting, setting.parameters.strings(), (claims, hints))
-    return lambda _part: certificate
+    return settled("window", setting, setting.parameters.strings(), (claims, hints))
 
 
 class Attracted(NamedTuple):

@@ -15,8 +15,9 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from cap.checker.kernel.alternatives import OneOrOther
 from cap.checker.kernel.certificate import DIGITS
-from cap.checker.kernel.choices import Cases, OneOrOther, OrNone
+from cap.checker.kernel.choices import Cases, OrNone
 from cap.checker.kernel.integers import Integer
 from cap.checker.kernel.later import Later
 from cap.checker.kernel.letters import Letters
@@ -226,12 +227,13 @@ def tabled(table: Table, kind: str) -> Iterator[str]:
 
 def cited(theorem: type[Theorem]) -> Iterator[str]:
     """Give the lines of the citations of a theorem."""
-    for cite in theorem.CITES:
+    cites = theorem.CITES or theorem.cited(theorem.PARTS)
+    for cite in cites:
         yield f"- `{cite['theorem']}` | `{cite['reference']}`"
         for hypothesis in cite["hypotheses"]:
             by = ", ".join(hypothesis["by"])
             yield f"  - `{hypothesis['name']}` | `{hypothesis['statement']}` | {by}"
-    if not theorem.CITES:
+    if not cites:
         yield "Nothing: the list is empty."
 
 

@@ -10,7 +10,8 @@ from fractions import Fraction
 from math import ceil, floor
 from typing import Any
 
-from cap.checker.kernel.choices import Cases, OneOrOther, OrNone
+from cap.checker.kernel.alternatives import OneOrOther
+from cap.checker.kernel.choices import Cases, OrNone
 from cap.checker.kernel.later import Later
 from cap.checker.kernel.optional import First, Maybe
 from cap.checker.kernel.reading import number, text

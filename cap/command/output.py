@@ -1,5 +1,7 @@
 """Where commands write: tried before anything is computed, and refused in one line."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from cap.errors import BadInput
@@ -36,3 +38,12 @@ def _try(path: Path, named: Path) -> None:
         raise BadInput(f"cannot write {quoted(named)}: {above}") from None
     except OSError as error:
         raise BadInput(f"cannot write {quoted(named)}: {error.strerror}") from None
+
+
+@contextmanager
+def writing(path: Path) -> Iterator[None]:
+    """Raise `BadInput` if what writes to ``path``, inside, fails."""
+    try:
+        yield
+    except OSError as error:
+        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None

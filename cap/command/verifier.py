@@ -71,7 +71,7 @@ def parser() -> Parser:
     )
     words.add_argument(
         "--jobs",
-        type=_processes,
+        type=_integer(1, 1024),
         default=1,
         metavar="N",
         help="processes, for several files and for a long proof that can be divided (default 1)",
@@ -93,7 +93,7 @@ def parser() -> Parser:
     )
     words.add_argument(
         "--latex-digits",
-        type=_digits,
+        type=_integer(2, 1000),
         default=12,
         metavar="N",
         help="significant digits (default 12)",
@@ -114,18 +114,17 @@ def _reading(theorem: str) -> int:
     return 0
 
 
-def _processes(text: str) -> int:
-    """Return a number of processes."""
-    if not (text.isascii() and text.isdigit() and len(text) <= 4 and 1 <= int(text) <= 1024):
-        raise argparse.ArgumentTypeError("an integer from 1 to 1024 is needed")
-    return int(text)
+def _integer(least: int, most: int) -> Callable[[str], int]:
+    """Return what reads an integer within limits."""
 
+    def read(text: str) -> int:
+        if not (
+            text.isascii() and text.isdigit() and len(text) <= 4 and least <= int(text) <= most
+        ):
+            raise argparse.ArgumentTypeError(f"an integer from {least} to {most} is needed")
+        return int(text)
 
-def _digits(text: str) -> int:
-    """Return a number of digits."""
-    if not (text.isascii() and text.isdigit() and len(text) <= 4 and 2 <= int(text) <= 1000):
-        raise argparse.ArgumentTypeError("an integer from 2 to 1000 is needed")
-    return int(text)
+    return read
 
 
 def _verify(names: Sequence[str], options: argparse.Namespace) -> int:

@@ -8,7 +8,7 @@ from typing import IO, TYPE_CHECKING
 
 import numpy as np
 
-from cap.command.output import writable
+from cap.command.output import writable, writing
 from cap.errors import BadInput
 from cap.explore.arrays import arrays
 from cap.files import replacing
@@ -36,16 +36,13 @@ def kind(path: Path) -> str:
 def write(findings: Data, path: Path, draw: Callable[[], "Figure"]) -> None:
     """Write findings to ``path``; ``draw`` is called if that is an image."""
     suffix = kind(path)
-    try:
-        with replacing(path) as file:
-            if suffix == "npz":
-                np.savez_compressed(file, **arrays(findings))  # type: ignore[arg-type]
-            elif suffix == "csv":
-                _table(findings, file)
-            else:
-                save(draw(), suffix, file)
-    except OSError as error:
-        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None
+    with writing(path), replacing(path) as file:
+        if suffix == "npz":
+            np.savez_compressed(file, **arrays(findings))  # type: ignore[arg-type]
+        elif suffix == "csv":
+            _table(findings, file)
+        else:
+            save(draw(), suffix, file)
 
 
 def _table(findings: Data, file: IO[bytes]) -> None:

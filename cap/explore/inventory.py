@@ -11,8 +11,8 @@ import numpy as np
 
 from cap.certificate import naming
 from cap.certificate import writer as certificate
-from cap.command.output import writable_into
-from cap.errors import BadInput, NotProved
+from cap.command.output import writable_into, writing
+from cap.errors import NotProved
 from cap.floats.search.cycles import Cycle
 from cap.floats.search.inventory import FAILED, PROVED, UNASKED, Entry, FamilyAt, Inventory
 from cap.floats.search.orbits import search
@@ -20,7 +20,6 @@ from cap.floats.variation import value_of, varied
 from cap.maps.fixed_point import Start
 from cap.parameters import Parameters
 from cap.runner import Runner
-from cap.words import quoted
 
 DIGITS = 12  # claimed, with --prove
 
@@ -56,7 +55,9 @@ def inventory(  # noqa: PLR0913 (the options of the command)
         proved = runner.map(prover, starts, "proving", processes=True)
         entries = [entry for entry, _ in proved] + entries[len(proved) :]
         for path, (_, theorem) in zip(paths, proved, strict=False):
-            _write(theorem, path)
+            if theorem:
+                with writing(path):
+                    certificate.write(theorem, path)
     return Inventory(
         parameters=systems[0] if len(systems) == 1 else p,
         complete=not runner.interrupted,
@@ -140,12 +141,3 @@ def _path(directory: Path, p: Parameters, entry: Entry, start: Start) -> Path:
     path = directory / naming.name("periodic", p, about | naming.of_state((entry.x, entry.v)))
     naming.free(path, "periodic", p, state)
     return path
-
-
-def _write(proved: dict[str, Any] | None, path: Path) -> None:
-    """Write a certificate, if there is one."""
-    try:
-        if proved:
-            certificate.write(proved, path)
-    except OSError as error:
-        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None

@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from cap.command.entry import INTERRUPTED
-from cap.command.output import writable_into
+from cap.command.output import writable_into, writing
 from cap.errors import BadInput, NotProved
 from cap.explore import export
 from cap.files import replacing
@@ -101,8 +101,5 @@ def _write(found: Compared, path: Path, lines: list[str]) -> None:
 
 
 def _text(path: Path, lines: list[str]) -> None:
-    try:
-        with replacing(path) as file:
-            file.write(("\n".join(lines) + "\n").encode())
-    except OSError as error:
-        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None
+    with writing(path), replacing(path) as file:
+        file.write(("\n".join(lines) + "\n").encode())

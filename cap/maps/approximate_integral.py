@@ -23,7 +23,7 @@ from cap.flow.event import TAYLOR_MODELS
 from cap.flow.model import Oscillator
 from cap.flow.strobe import strobe
 from cap.flow.windows import Itinerary
-from cap.maps.normal_form import Ellipticity, conjugate, normal_form, substitute
+from cap.maps.normal_form import Ellipticity, conjugate, conjugate_real, normal_form, substitute
 from cap.sets import interval
 from cap.sets.interval import Ball, ComplexBall
 from cap.sets.jet import Jet
@@ -173,11 +173,6 @@ def polynomial(H: Jet, linear: Ellipticity, point: Sequence[Ball], E: Ellipse, p
     exact = substitute(H, (z, conjugate_real(z))) * inverse_area
     rounded = [_decimal(ComplexBall(0) + c, places) for c in exact.coefficients]
     return Jet(H.space, [Fraction(0), *rounded[1:]])
-
-
-def conjugate_real(f: Jet) -> Jet:
-    """Return the conjugate of a jet in real variables."""
-    return Jet(f.space, [(ComplexBall(0) + c).conjugate() for c in f.coefficients])
 
 
 def _decimal(c: ComplexBall, places: int) -> Fraction:

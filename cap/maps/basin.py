@@ -22,6 +22,7 @@ from cap.flow.event import TAYLOR_MODELS
 from cap.flow.model import Oscillator
 from cap.flow.windows import Itinerary, find_windows
 from cap.maps.fixed_point import FixedPoint
+from cap.maps.metric import metric
 from cap.sets import bisection, interval, matrix
 from cap.sets.interval import Ball
 from cap.sets.jet import Jet
@@ -112,23 +113,9 @@ def _unit(point: FixedPoint) -> Fraction:
 
 
 def _metric(J: Array) -> Array:
-    """Return an upper triangular W, of largest entry 1: WᵀW = Σ (Jᵀ/c)ᵏ (J/c)ᵏ.
-
-    c is between the spectral radius of J and 1.
-    """
+    """Return an upper triangular W, of largest entry 1, with c between the radius of J and 1."""
     radius = float(max(abs(np.linalg.eigvals(J))))
-    scaled = J / (radius + (1 - radius) / 4)
-    total, power = np.eye(2), np.eye(2)
-    for _ in range(10000):
-        power = scaled @ power
-        term = power.T @ power
-        total = total + term
-        if np.abs(term).max() < 1e-6 * np.abs(total).max():
-            break
-    try:
-        W = np.linalg.cholesky(total).T
-    except np.linalg.LinAlgError:
-        raise NotProved("basin", "its ellipses are too thin for floats") from None
+    W = metric(J, radius + (1 - radius) / 4, "basin")
     return np.asarray(W / np.abs(W).max())
 
 

@@ -17,7 +17,6 @@ from cap.sets.interval import Ball
 
 WIDE = 0.4  # of a half window: above, its ends are looked for one by one
 HALVINGS = 10
-STEP = 0.3
 AHEAD = 7.0  # more than a period
 
 

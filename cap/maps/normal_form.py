@@ -102,6 +102,11 @@ def complex_map(x: Jet, v: Jet, linear: Ellipticity) -> Jet:
     return substitute(image.above(0), (dx, dv))
 
 
+def conjugate_real(f: Jet) -> Jet:
+    """Return the conjugate of a jet in real variables."""
+    return Jet(f.space, [(ComplexBall(0) + c).conjugate() for c in f.coefficients])
+
+
 def substitute(f: Jet, values: Sequence[Jet]) -> Jet:
     """Return the jet of f(values), where the values vanish at the origin."""
     space = values[0].space

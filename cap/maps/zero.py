@@ -103,7 +103,8 @@ def residual(hint: Hint, slope: Matrix) -> Matrix:
 def contracted(hint: Hint, value: Sequence[Ball], E: Matrix, box: Box) -> Box:
     """Prove that exactly one zero of G lies in the ``box``, which contains m; return K(K(K(box))).
 
-    ``E`` encloses 1 - C G' on the box, ``value`` encloses G(m); else as `contract`.
+    Assumes G is C¹ on the box, ``value`` encloses G(m) and ``E`` encloses 1 - C G' on the box.
+    Raises `NotProved`: there may be no zero, or several.
     """
     m = hint.point
     newton = (hint.rows * interval.column(value)).entries()
@@ -114,15 +115,6 @@ def contracted(hint: Hint, value: Sequence[Ball], E: Matrix, box: Box) -> Box:
         if not k:  # then the zero lies in K, and in K of whatever contains it
             _inside(K, hint, box)
     return K
-
-
-def contract(hint: Hint, value: Sequence[Ball], slope: Matrix, box: Box) -> Box:
-    """Prove that exactly one zero of G lies in the ``box``, which contains m; return K(box).
-
-    Assumes G is C¹ on the box, ``value`` encloses G(m) and ``slope`` encloses G' on the box.
-    Raises `NotProved`: there may be no zero, or several.
-    """
-    return _inside(operator(hint, value, slope, box), hint, box)
 
 
 def _inside(k: Box, hint: Hint, box: Box) -> Box:

@@ -7,6 +7,7 @@ from cap.errors import NotProved
 from cap.orbits.leg import Watch
 from cap.orbits.numbers import Balls, Clock
 from cap.sets.interval import Ball
+from cap.system.source import Function
 
 
 class End(NamedTuple):
@@ -42,18 +43,15 @@ class Along(NamedTuple):
 
     def at(self, end: End) -> Ball:
         """Return h at an end of the leg."""
-        value: Ball = self.leg.of.of(self.watch.at)(*end.clock, *end.state)[0]
-        return value
+        return self._value(self.watch.at, [*end.clock, *end.state])
 
     def rate(self, end: End) -> Ball:
         """Return L h at an end of the leg."""
-        value: Ball = self.leg.of.of(self.watch.rate)(*end.clock, *end.state)[0]
-        return value
+        return self._value(self.watch.rate, [*end.clock, *end.state])
 
     def height(self, time: Ball, clock: Clock | None = None) -> Ball:
         """Return h at all times in a ball."""
-        value: Ball = self.leg.of.of(self.watch.height)(*self._inputs(time, clock))[0]
-        return value
+        return self._value(self.watch.height, self._inputs(time, clock))
 
     def line(self, time: Ball) -> tuple[Ball, Ball]:
         """Return h and L h at all times in a ball."""
@@ -62,7 +60,10 @@ class Along(NamedTuple):
 
     def bend(self, time: Ball) -> Ball:
         """Return L² h at all times in a ball."""
-        value: Ball = self.leg.of.of(self.watch.bend)(*self._inputs(time))[0]
+        return self._value(self.watch.bend, self._inputs(time))
+
+    def _value(self, function: Function, inputs: Sequence[Ball]) -> Ball:
+        value: Ball = self.leg.of.of(function)(*inputs)[0]
         return value
 
     def _inputs(self, time: Ball, clock: Clock | None = None) -> list[Ball]:

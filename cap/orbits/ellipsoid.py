@@ -27,6 +27,7 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 
 from cap.errors import NotProved
+from cap.maps.metric import metric
 from cap.maps.zero import Box
 from cap.orbits.equations import steps
 from cap.orbits.periodic import PeriodicOrbit, Prover
@@ -94,25 +95,11 @@ def _floats(D: Matrix) -> Any:
 
 
 def _metric(D: Any) -> tuple[Any, int]:
-    """Return W, upper triangular, and how many digits of it matter.
-
-    WᵀW is the sum of (Dᵀ/c)ᵏ (D/c)ᵏ, c between the spectral radius of D and 1.
-    """
+    """Return W, upper triangular, and how many digits of it matter."""
     slack = 1 - float(max(abs(np.linalg.eigvals(D))))
     if not slack > SLOW:
         raise NotProved("ellipsoid", "the orbit attracts too slowly for doubles")
-    scaled = D / (1 - slack * 3 / 4)
-    total, power = np.eye(len(D)), np.eye(len(D))
-    for _ in range(10000):
-        power = scaled @ power
-        term = power.T @ power
-        total = total + term
-        if np.abs(term).max() < 1e-6 * np.abs(total).max():
-            break
-    try:
-        return np.linalg.cholesky(total).T, DIGITS - round(log10(slack))
-    except np.linalg.LinAlgError:
-        raise NotProved("ellipsoid", "its axes are too different for doubles") from None
+    return metric(D, 1 - slack * 3 / 4, "ellipsoid"), DIGITS - round(log10(slack))
 
 
 def _proved(prover: Prover, orbit: PeriodicOrbit, rows: Rows, parts: list[Any]) -> Ellipsoid:

@@ -226,35 +226,35 @@ class Watch:
         term: Term = scalars(self._tape).value(q, self._there if along else self._here)
         return term
 
+    def _towered(self, numbers: Sequence[int], *, along: bool) -> Function:
+        """Return some of h, L h and L² h, along a flight or at a place."""
+        terms = [self._of(self._towers[k], along=along) for k in numbers]
+        return Function(self.inputs if along else self._place, terms, self._system.parameters)
+
     @cached_property
     def along(self) -> Function:
         """h and L h."""
-        return Function(
-            self.inputs,
-            [self._of(q, along=True) for q in self._towers[:2]],
-            self._system.parameters,
-        )
+        return self._towered((0, 1), along=True)
 
     @cached_property
     def height(self) -> Function:
         """h alone."""
-        return Function(
-            self.inputs, [self._of(self._towers[0], along=True)], self._system.parameters
-        )
+        return self._towered((0,), along=True)
 
     @cached_property
     def bend(self) -> Function:
         """L² h."""
-        return Function(
-            self.inputs, [self._of(self._towers[2], along=True)], self._system.parameters
-        )
+        return self._towered((2,), along=True)
 
     @cached_property
     def at(self) -> Function:
         """h at a place."""
-        return Function(
-            self._place, [self._of(self._towers[0], along=False)], self._system.parameters
-        )
+        return self._towered((0,), along=False)
+
+    @cached_property
+    def rate(self) -> Function:
+        """L h at a place."""
+        return self._towered((1,), along=False)
 
     @cached_property
     def gradient(self) -> Function:
@@ -262,13 +262,6 @@ class Watch:
         h = self._towers[0]
         rows = [self._of(h.derivative(z), along=False) for z in self._system.state]
         return Function(self._place, rows, self._system.parameters)
-
-    @cached_property
-    def rate(self) -> Function:
-        """L h at a place."""
-        return Function(
-            self._place, [self._of(self._towers[1], along=False)], self._system.parameters
-        )
 
 
 def flown(system: System, motion: Motion) -> Function:

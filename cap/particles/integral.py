@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from cap.errors import NotProved
-from cap.maps.normal_form import substitute
+from cap.maps.normal_form import conjugate_real, substitute
 from cap.maps.twist_matrix import Frame, conjugate, divisor, in_coordinates
 from cap.sets import interval
 from cap.sets.interval import Ball, ComplexBall
@@ -76,7 +76,7 @@ def ellipsoid(
         offset = u[0] * 0 + (interval.ball(c) - at)
         z.append(sum((b * interval.ball(a) for a, b in zip(row, u, strict=True)), offset))
     w = [frame.coordinate(j, z) for j in range(2)]
-    w += [Jet(q.space, [(ComplexBall(0) + c).conjugate() for c in q.coefficients]) for q in w]
+    w += [conjugate_real(q) for q in w]
     scaled = substitute(H, w) * interval.ball(1 / radius**2)
     values = (ComplexBall(0) + c for c in scaled.coefficients)
     rounded = [round(interval.midpoint(c.real), places[1]) for c in values]

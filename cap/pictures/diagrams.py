@@ -27,9 +27,12 @@ from cap.pictures.style import (
     SYMBOLS,
     UNITS,
     YELLOW,
+    cells,
+    legend,
     stroboscopic,
     title,
     undone,
+    walls,
 )
 
 MARKS = {  # of special points: marker, colour
@@ -67,8 +70,7 @@ def continuation(findings: Continuation, figure: FigureBase) -> None:
     axes[1].set_xlabel(f"${SYMBOLS[findings.parameter]}$")
     axes[0].plot([], [], color=BLACK, lw=1.1, label="stable")
     axes[0].plot([], [], color=BLACK, lw=0.8, ls="--", label="unstable")
-    handles, labels = axes[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=4)
+    legend(axes[0], figure)
     known = sorted({branch.period for branch in findings.branches})
     periods = ", ".join("$T$" if n == 1 else f"${n}T$" for n in known)
     title(figure, findings, f"Periodic orbits of period {periods}")
@@ -118,11 +120,8 @@ def plane(findings: Plane, figure: FigureBase) -> None:
     colours = ListedColormap([DARK, *(shades[name] for name in findings.names)])
     count = len(findings.names) + 1
     norm = BoundaryNorm(np.arange(-1.5, count - 1), count)
-    a, b = findings.first, findings.second
-    da, db = (a[1] - a[0]) / 2, (b[1] - b[0]) / 2
-    extent = (a[0] - da, a[-1] + da, b[0] - db, b[-1] + db)
     shown = np.ma.masked_equal(findings.code, UNDONE)
-    axes.imshow(shown, origin="lower", extent=extent, aspect="auto", cmap=colours, norm=norm)
+    cells(axes, findings.first, findings.second, shown, cmap=colours, norm=norm)
     handles: list[Artist] = [
         Patch(fc=shades[name], ec=BLACK, lw=0.4, label=name)
         for k, name in enumerate(findings.names)
@@ -173,9 +172,8 @@ def inventory(findings: Inventory, figure: FigureBase) -> None:
         axes[1].set_xlabel(f"${SYMBOLS[findings.parameter]}$")
         axes[1].set_ylabel("$x$ at $t = 0$  [length]")
         last = axes[1]
-    handles, labels = last.get_legend_handles_labels()
-    if handles:
-        figure.legend(handles, labels, loc="outside lower center", ncols=4)
+    if findings.orbits:
+        legend(last, figure)
     period = "T" if findings.periods == 1 else f"{findings.periods}T"
     title(figure, findings, f"{len(findings.orbits)} orbits of period ${period}$ found")
 
@@ -195,8 +193,7 @@ def _orbits(axes: Axes, findings: Inventory, first: str, second: str) -> None:
         stroboscopic(axes)
         l, r = float(findings.parameters.l), float(findings.parameters.r)
         axes.set_xlim(l - 0.04 * (r - l), r + 0.04 * (r - l))
-        for wall in (l, r):
-            axes.axvline(wall, color=GREY, ls="--", lw=0.7)
+        walls(axes, findings.parameters, over_time=False)
     else:
         axes.set_ylabel(UNITS["x"])
 

@@ -1,7 +1,5 @@
 """Pictures of N masses: in time, and in the plane of each mass at t = 0 mod T."""
 
-from typing import Any
-
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -24,10 +22,14 @@ from cap.pictures.style import (
     PURPLE,
     RED,
     SKY,
+    dots,
+    framed,
+    legend,
     parameters,
     star,
+    walls,
 )
-from cap.pictures.times import legend, mark, time_axis, walls
+from cap.pictures.times import mark, time_axis
 
 MARKS = {  # of events: marker, colour
     "hit": ("o", BLUE),
@@ -51,7 +53,7 @@ def orbit(findings: MassTrajectory, figure: FigureBase) -> None:
         mass = short(str(findings.masses[i]))
         top.plot(t, findings.x[:, i], color=colour, lw=1.0, label=f"$m_{i + 1} = {mass}$")
         low.plot(t, findings.v[:, i], color=colour, lw=0.9)
-    walls(top, findings)
+    walls(top, findings.parameters)
     low.axhline(0, color=GREY, lw=0.5)
     kinds = np.array([str(word).split()[0] for word in findings.words], dtype=np.str_)
     for kind, (marker, colour) in MARKS.items():
@@ -62,7 +64,7 @@ def orbit(findings: MassTrajectory, figure: FigureBase) -> None:
     time_axis(low, findings)
     top.set_ylabel("positions $x_i$  [length]")
     low.set_ylabel(r"velocities $\dot x_i$  [length / time]")
-    legend(top, figure)
+    legend(top, figure, 8)
     _title(figure, findings, "Positions and velocities")
 
 
@@ -81,7 +83,8 @@ def portrait(findings: MassPortrait, figure: FigureBase) -> None:
     for i, axes in enumerate(rows[0]):
         axes.set_title(f"$m_{i + 1} = {short(str(findings.masses[i]))}$")
         if near:
-            _zoom(rows[1][i], _plane(island, i))
+            seen = _plane(island, i)
+            framed(rows[1][i], np.nanmin(seen, axis=0), np.nanmax(seen, axis=0), 0.15)
         if findings.centre:
             star(rows[-1][i], (findings.centre[i], findings.centre[n + i]), None)
     figure.legend(handles=_legend(findings), loc="outside lower center", ncols=3, handlelength=0.9)
@@ -92,20 +95,12 @@ def portrait(findings: MassPortrait, figure: FigureBase) -> None:
 def _points(axes: Axes, findings: MassPortrait, i: int) -> None:
     """Draw all orbits in the plane of one mass."""
     stopping = findings.states[findings.near & findings.stopped]
-    _dots(axes, _plane(stopping, i), "#AAAAAA", 0.6)
+    dots(axes, _plane(stopping, i), "#AAAAAA", 0.6)
     far = findings.states[~findings.near]
-    _dots(axes, _plane(far[:, int(LATE * far.shape[1]) :], i), RED, 2.5)
+    dots(axes, _plane(far[:, int(LATE * far.shape[1]) :], i), RED, 2.5)
     never = findings.states[findings.near & findings.never]
     for k, colour in enumerate(ISLAND):
-        _dots(axes, _plane(never[k :: len(ISLAND)], i), colour, 1.2)
-
-
-def _zoom(axes: Axes, points: Floats) -> None:
-    """Show these points, and a rim."""
-    low, high = np.nanmin(points, axis=0), np.nanmax(points, axis=0)
-    rim = 0.15 * (high - low) + 1e-12
-    axes.set_xlim(low[0] - rim[0], high[0] + rim[0])
-    axes.set_ylim(low[1] - rim[1], high[1] + rim[1])
+        dots(axes, _plane(never[k :: len(ISLAND)], i), colour, 1.2)
 
 
 def _legend(findings: MassPortrait) -> list[Artist]:
@@ -130,7 +125,7 @@ def attractors(findings: MassAttractors, figure: FigureBase) -> None:
     for each, colour in zip(findings.found, shades, strict=True):
         for i, axes in enumerate(planes):
             size = 0.8 if each.kind == NEVER else 5
-            _dots(axes, _plane(each.states[:, None], i), colour, size)
+            dots(axes, _plane(each.states[:, None], i), colour, size)
         words = f"{each.kind} ({each.share:.1%})"
         handles.append(Patch(fc=colour, ec=BLACK, lw=0.4, label=words))
     if handles:
@@ -152,19 +147,13 @@ def _planes(findings: OfMasses, figure: FigureBase) -> list[Axes]:
 
 def _walls(axes: Axes, findings: OfMasses) -> None:
     axes.axhline(0, color=GREY, lw=0.5)
-    for wall in (findings.parameters.l, findings.parameters.r):
-        axes.axvline(float(wall), color=GREY, ls="--", lw=0.7)
+    walls(axes, findings.parameters, over_time=False)
 
 
 def _plane(states: Floats, i: int) -> Floats:
     """Return the states of one mass, (K, 2)."""
     n = states.shape[-1] // 2
     return states[..., [i, n + i]].reshape(-1, 2)
-
-
-def _dots(axes: Axes, points: Floats, colour: str, size: float) -> None:
-    look: dict[str, Any] = {"rasterized": len(points) > 5000, "lw": 0}
-    axes.scatter(points[:, 0], points[:, 1], s=size, c=colour, **look)
 
 
 def _title(figure: FigureBase, findings: OfMasses, words: str) -> None:

@@ -20,7 +20,7 @@ from cap.floats.models.spectrum import Floats
 from cap.floats.models.subject import OfModel
 from cap.floats.models.walls import Wall
 from cap.pictures.models import MARKERS, heading
-from cap.pictures.style import BLACK, BLUE, CYCLE, GREY, RED
+from cap.pictures.style import BLACK, BLUE, CYCLE, GREY, RED, cells, dots
 
 SOLID = "#D9D9D9"
 LOOKS: dict[bool, dict[str, Any]] = {True: {"lw": 1.4}, False: {"lw": 0.9, "ls": (0, (4, 2))}}
@@ -35,7 +35,7 @@ def portrait(findings: ModelPortrait, figure: FigureBase) -> None:
         _walls(axes, plane, findings.walls)
         for n, path in enumerate(findings.states):
             colour = "#AAAAAA" if findings.rested[n] else CYCLE[n % len(CYCLE)]
-            _dots(axes, path[:, [i, k]], colour, 1.0)
+            dots(axes, path[:, [i, k]], colour, 1.0)
         _labels(axes, plane, _when(findings, findings.event))
     handles = [Patch(fc="#AAAAAA", label="contacts accumulate")] if findings.rested.any() else []
     if handles and not findings.rested.all():
@@ -70,7 +70,7 @@ def diagram(findings: ModelDiagram, figure: FigureBase) -> None:
     rested = np.broadcast_to(findings.rested[:, :, None], value.shape)
     for chosen, colour in ((rested, "#AAAAAA"), (~rested, BLUE)):
         points = np.stack([value[chosen], findings.states[..., 0][chosen]], axis=1)
-        _dots(top, points, colour, 0.5)
+        dots(top, points, colour, 0.5)
     top.set_ylabel(findings.state[0] + _when(findings))
     x = np.broadcast_to(findings.value[:, None], findings.exponent.shape)
     with np.errstate(invalid="ignore"):
@@ -95,24 +95,15 @@ def basin(findings: ModelBasin, figure: FigureBase) -> None:
     shades = [_pale(CYCLE[k % len(CYCLE)]) for k in range(count)]
     colours = ListedColormap([SOLID, BLACK, *shades])
     norm = BoundaryNorm(np.arange(OUTSIDE - 0.5, count + 0.5), count + 2)
-    extent = _extent(findings.first, findings.second)
-    axes.imshow(
-        findings.label, origin="lower", extent=extent, aspect="auto", cmap=colours, norm=norm
-    )
+    image = cells(axes, findings.first, findings.second, findings.label, cmap=colours, norm=norm)
+    left, right, low, high = image.get_extent()
     if not findings.fixed:
         _drawn(axes, findings, findings.plane, findings.found, size=6)
-    axes.set_xlim(extent[:2])
-    axes.set_ylim(extent[2:])
+    axes.set(xlim=(left, right), ylim=(low, high))
     _labels(axes, findings.plane, _when(findings))
     _legend(figure, findings.found)
     others = "".join(f", {z} = {q:.4g}" for z, q in findings.fixed.items())
     heading(figure, findings, f"Where the states at $t = 0$ end{others}")
-
-
-def _extent(x: Floats, y: Floats) -> tuple[float, float, float, float]:
-    """Return the edges of the cells around states."""
-    a, b = (x[1] - x[0]) / 2, (y[1] - y[0]) / 2
-    return float(x[0] - a), float(x[-1] + a), float(y[0] - b), float(y[-1] + b)
 
 
 def _pale(colour: str) -> str:
@@ -134,7 +125,7 @@ def _drawn(
         states = each.states[:, [i, k]]
         colour = CYCLE[n % len(CYCLE)]
         if len(states) > 64:
-            _dots(axes, states, colour, 0.8)
+            dots(axes, states, colour, 0.8)
         else:
             axes.plot(states[:, 0], states[:, 1], "o", ms=size, mfc=colour, mec=BLACK, mew=0.5)
 
@@ -165,11 +156,6 @@ def _labels(axes: Axes, plane: tuple[str, str], when: str) -> None:
     """Label the axes of a plane of states."""
     axes.set_xlabel(plane[0])
     axes.set_ylabel(plane[1] + when)
-
-
-def _dots(axes: Axes, points: Floats, colour: str, size: float) -> None:
-    look: dict[str, Any] = {"rasterized": len(points) > 2000, "lw": 0}
-    axes.scatter(points[:, 0], points[:, 1], s=size, c=colour, **look)
 
 
 def continuation(findings: ModelBranch, figure: FigureBase) -> None:

@@ -15,8 +15,8 @@ from cap.floats.models.subject import OfModel
 from cap.floats.models.trajectory import ModelOrbit
 from cap.floats.models.walls import Wall
 from cap.floats.words import short
-from cap.pictures.style import BLACK, CYCLE, GREY, PURPLE, star
-from cap.pictures.times import legend, mark
+from cap.pictures.style import BLACK, CYCLE, GREY, PURPLE, legend, star
+from cap.pictures.times import mark
 
 MOST = 12  # orbits that are drawn
 MARKERS = "ov^sD<>hp"
@@ -36,7 +36,7 @@ def orbit(findings: ModelOrbit, figure: FigureBase) -> None:
     for k, group in enumerate(rows):
         _row(axes[f"row {k}"], findings, group, last=k == len(rows) - 1)
     _plane(axes["plane"], findings)
-    legend(axes["plane"], figure)
+    legend(axes["plane"], figure, 8)
     heading(figure, findings, "Orbit and its events")
 
 

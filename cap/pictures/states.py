@@ -1,7 +1,6 @@
 """Pictures of the plane of states at t = 0 mod T."""
 
 import math
-from typing import Any
 
 import numpy as np
 from matplotlib.artist import Artist
@@ -18,7 +17,7 @@ from cap.floats.diagnostics.attractor import NONE, Attractors
 from cap.floats.diagnostics.fate import FATES, LOST, Fate
 from cap.floats.diagnostics.manifold import Manifolds
 from cap.floats.diagnostics.portrait import Portrait
-from cap.floats.findings import Findings, Floats
+from cap.floats.findings import Findings
 from cap.pictures.style import (
     BLACK,
     BLUE,
@@ -30,6 +29,8 @@ from cap.pictures.style import (
     PURPLE,
     RED,
     YELLOW,
+    cells,
+    framed,
     star,
     stroboscopic,
     title,
@@ -54,9 +55,7 @@ def portrait(findings: Portrait, figure: FigureBase) -> None:
     regular = regular[np.isfinite(regular).all(axis=1)]
     if findings.centre is not None and len(regular):
         low, high = np.nanquantile(regular, [0.002, 0.998], axis=0)
-        rim = 0.15 * (high - low) + 1e-12
-        axes.set_xlim(low[0] - rim[0], high[0] + rim[0])
-        axes.set_ylim(low[1] - rim[1], high[1] + rim[1])
+        framed(axes, low, high, 0.15)
     stroboscopic(axes)
     count, periods = len(findings.states), findings.states.shape[1] - 1
     words = f"Stroboscopic portrait: {count} orbits, {periods} periods"
@@ -114,7 +113,7 @@ def index_map(axes: Axes, findings: Alignment) -> AxesImage:
     top = math.log10(LARGEST[findings.name])
     undone(axes)
     _one(axes, findings, ~findings.lost, PALE)
-    image = _field(axes, findings.x, findings.v, shown, cmap="cividis_r", vmin=LOWEST, vmax=top)
+    image = cells(axes, findings.x, findings.v, shown, cmap="cividis_r", vmin=LOWEST, vmax=top)
     if findings.centre is not None:
         axes.plot(*findings.centre, "*", ms=9, mfc="white", mec=BLACK, mew=0.7)
     stroboscopic(axes)
@@ -130,9 +129,7 @@ def fate(findings: Fate, figure: FigureBase) -> None:
     _one(axes[1], findings, findings.fate != LOST, BLUE)
     first = findings.first / T
     top = float(np.nanmax(first)) if np.isfinite(first).any() else 1.0
-    image = _field(
-        axes[1], findings.x, findings.v, first, cmap="magma", vmin=0, vmax=max(top, 1e-9)
-    )
+    image = cells(axes[1], findings.x, findings.v, first, cmap="magma", vmin=0, vmax=max(top, 1e-9))
     stroboscopic(axes[1])
     axes[1].set_ylabel("")
     star(axes[1], findings.centre)
@@ -146,7 +143,7 @@ def fates(axes: Axes, findings: Fate) -> None:
     """Draw the partition of the plane."""
     norm = BoundaryNorm([-0.5, 0.5, 1.5, 2.5, 3.5], 4)
     shown = np.ma.masked_equal(findings.fate, LOST)
-    _field(axes, findings.x, findings.v, shown, cmap=ListedColormap(FATE_COLOURS), norm=norm)
+    cells(axes, findings.x, findings.v, shown, cmap=ListedColormap(FATE_COLOURS), norm=norm)
     star(axes, findings.centre, None)
     stroboscopic(axes)
     counts, total = findings.counts, max(1, findings.fate.size)
@@ -196,7 +193,7 @@ def attractors(findings: Attractors, figure: FigureBase) -> None:
     colours = ListedColormap(shades or ["white"])
     norm = BoundaryNorm(np.arange(-0.5, colours.N), colours.N)
     shown = np.ma.masked_equal(findings.label, NONE)
-    _field(axes[0], findings.x, findings.v, shown, cmap=colours, norm=norm)
+    cells(axes[0], findings.x, findings.v, shown, cmap=colours, norm=norm)
     for each, colour in zip(findings.found, shades, strict=True):
         few = len(each.states) <= 64
         look = {"ms": 5, "mec": BLACK, "mew": 0.5} if few else {"ms": 0.7, "mew": 0}
@@ -222,20 +219,11 @@ def _shades(count: int) -> list[str]:
     return [*CYCLE[:count], *greys]
 
 
-def _left_out(axes: Axes, findings: Findings, cells: NDArray[np.bool_]) -> list[Artist]:
+def _left_out(axes: Axes, findings: Findings, own: NDArray[np.bool_]) -> list[Artist]:
     """Hatch the cells of which nothing is known, if there are any, and say why."""
-    return undone(axes, "lost" if findings.complete else "not computed") if cells.any() else []
+    return undone(axes, "lost" if findings.complete else "not computed") if own.any() else []
 
 
-def _one(axes: Axes, findings: Alignment | Fate, cells: NDArray[np.bool_], colour: str) -> None:
+def _one(axes: Axes, findings: Alignment | Fate, own: NDArray[np.bool_], colour: str) -> None:
     """Draw these cells in one colour."""
-    _field(
-        axes, findings.x, findings.v, np.where(cells, 0.0, np.nan), cmap=ListedColormap([colour])
-    )
-
-
-def _field(axes: Axes, x: Floats, v: Floats, values: NDArray[np.generic], **look: Any) -> AxesImage:
-    """Draw a value at each state of a grid as a cell."""
-    dx, dv = (float(a[1] - a[0]) / 2 for a in (x, v))
-    extent = (float(x[0]) - dx, float(x[-1]) + dx, float(v[0]) - dv, float(v[-1]) + dv)
-    return axes.imshow(values, origin="lower", extent=extent, aspect="auto", **look)
+    cells(axes, findings.x, findings.v, np.where(own, 0.0, np.nan), cmap=ListedColormap([colour]))

@@ -7,15 +7,17 @@ from importlib import import_module
 from typing import Any
 
 import matplotlib as mpl
+import numpy as np
 from cycler import cycler
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure, FigureBase
+from matplotlib.image import AxesImage
 from matplotlib.patches import Patch
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from cap.floats.findings import Findings
+from cap.floats.findings import Findings, Floats
 from cap.floats.words import ends, short
 from cap.parameters import PAPER, Parameters
 
@@ -24,6 +26,7 @@ BLUE, ORANGE, GREEN, RED = "#0072B2", "#E69F00", "#009E73", "#D55E00"
 PURPLE, SKY, YELLOW, BLACK, GREY = "#CC79A7", "#56B4E9", "#F0E442", "#000000", "#999999"
 CYCLE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK, YELLOW)
 PALE, DARK = "#DDDDDD", "#777777"
+DENSE = 5000  # points above which they are drawn as pixels
 
 SYMBOLS = {"F": "F", "omega": r"\omega", "f": "f", "R": "R", "e": "e", "mu": r"\mu"}
 UNITS = {  # of what the axes show: a mass of 1, length and time in the units of the parameters
@@ -128,3 +131,38 @@ def star(axes: Axes, state: tuple[float, float] | None, label: str | None = "$P_
     """Mark a fixed point."""
     if state is not None:
         axes.plot(*state, "*", ms=9, mfc=RED, mec="white", mew=0.6, ls="none", label=label)
+
+
+def legend(axes: Axes, figure: FigureBase, columns: int = 4) -> None:
+    """Explain the marks of some axes below the figure."""
+    figure.legend(
+        *axes.get_legend_handles_labels(), loc="outside lower center", ncols=max(1, columns)
+    )
+
+
+def walls(axes: Axes, p: Parameters, *, over_time: bool = True) -> None:
+    """Draw both walls, over the time or in the plane of states."""
+    for wall in (p.l, p.r):
+        line = axes.axhline if over_time else axes.axvline
+        line(float(wall), color=GREY, ls="--", lw=0.7)
+
+
+def framed(axes: Axes, low: ArrayLike, high: ArrayLike, part: float, least: float = 1e-12) -> None:
+    """Show a rectangle, from one corner to the other, and a rim that is a part of it."""
+    corners = np.array([low, high], dtype=float)
+    rim = np.maximum(part * (corners[1] - corners[0]), least)
+    (left, down), (right, up) = corners + np.outer([-1, 1], rim)
+    axes.set(xlim=(left, right), ylim=(down, up))
+
+
+def cells(axes: Axes, x: Floats, y: Floats, values: NDArray[np.generic], **look: Any) -> AxesImage:
+    """Draw a value at each point of a grid as a cell around it."""
+    dx, dy = (float(a[1] - a[0]) / 2 for a in (x, y))
+    extent = (float(x[0]) - dx, float(x[-1]) + dx, float(y[0]) - dy, float(y[-1]) + dy)
+    return axes.imshow(values, origin="lower", extent=extent, aspect="auto", **look)
+
+
+def dots(axes: Axes, points: Floats, colour: str, size: float) -> None:
+    """Draw points (N, 2); many of them as pixels."""
+    x, y = points.T
+    axes.scatter(x, y, s=size, c=colour, lw=0, rasterized=len(points) > DENSE)

@@ -20,8 +20,10 @@ from cap.pictures.style import (
     RED,
     SYMBOLS,
     UNITS,
+    legend,
     star,
     title,
+    walls,
 )
 
 MARKS = {  # of events: marker, colour
@@ -42,14 +44,14 @@ def orbit(findings: Trajectory, figure: FigureBase) -> None:
     axes["x"].tick_params(labelbottom=False)
     axes["x"].set_xlabel("")
     plane(axes["plane"], findings)
-    legend(axes["plane"], figure)
+    legend(axes["plane"], figure, 8)
     title(figure, findings, "Orbit and its events")
 
 
 def position(axes: Axes, findings: Trajectory) -> None:
     """Draw x(t), with the walls."""
     axes.plot(findings.t / findings.period, findings.x, color="black", lw=0.9)
-    walls(axes, findings)
+    walls(axes, findings.parameters)
     for name, chosen in _events(findings).items():
         _mark(axes, name, findings.times[chosen] / findings.period, findings.places[chosen])
     time_axis(axes, findings)
@@ -69,8 +71,7 @@ def velocity(axes: Axes, findings: Trajectory) -> None:
 def plane(axes: Axes, findings: Trajectory) -> None:
     """Draw the orbit in the plane of (x, v), with its states at t = 0, T, …."""
     axes.axhline(0, color=GREY, lw=0.5)
-    for wall in (findings.parameters.l, findings.parameters.r):
-        axes.axvline(float(wall), color=GREY, ls="--", lw=0.7)
+    walls(axes, findings.parameters, over_time=False)
     axes.plot(findings.x, findings.v, color="black", lw=0.8)
     for name, chosen in _events(findings).items():
         _mark(axes, name, findings.places[chosen], findings.before[chosen])
@@ -78,18 +79,6 @@ def plane(axes: Axes, findings: Trajectory) -> None:
         star(axes, (state[0], state[1]), r"$t \equiv 0$ mod $T$" if k == 0 else None)
     axes.set_xlabel(UNITS["x"])
     axes.set_ylabel(UNITS["v"])
-
-
-def legend(axes: Axes, figure: FigureBase) -> None:
-    """Explain the marks below the figure."""
-    handles, labels = axes.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=max(1, len(labels)))
-
-
-def walls(axes: Axes, findings: History) -> None:
-    """Draw both walls over the time."""
-    for wall in (findings.parameters.l, findings.parameters.r):
-        axes.axhline(float(wall), color=GREY, ls="--", lw=0.7)
 
 
 def time_axis(axes: Axes, findings: History) -> None:

@@ -1,12 +1,12 @@
 """Several masses on a line with dry friction, pushed by one force, between two walls.
 
-    m_i x_i'' = F cos wt - f sgn x_i',    l <= x_1 <= ... <= x_N <= r,    elastic contacts
+    m_i x_i'' = F cos wt - f_i sgn x_i',    l <= x_1 <= ... <= x_N <= r,    elastic contacts
 
-(eq:Nparticle, eq:Ncollision).  The modes are the signs of the velocities, as "+-0"; 0 is a mass at
-rest.  Guards: "hit l", "hit r", "meet i j" of neighbours, "stop i", and "release i" of a mass at
-rest to either side.  A contact that cannot close in a mode (the gap grows there, or nothing moves)
-is no guard of it.  Contacts may accumulate, where N > 1 also without loss: no resting mode is
-named for them.
+(eq:Nparticle, eq:Ncollision), f_i = f, or f m_i.  The modes are the signs of the velocities, as
+"+-0"; 0 is a mass at rest.  Guards: "hit l", "hit r", "meet i j" of neighbours, "stop i", and
+"release i" of a mass at rest to either side.  A contact that cannot close in a mode (the gap grows
+there, or nothing moves) is no guard of it.  Contacts may accumulate, where N > 1 also without loss:
+no resting mode is named for them.
 """
 
 from __future__ import annotations
@@ -25,12 +25,13 @@ Reset = Mapping[str, Polynomial | Quotient] | Bounce
 MOST = 5  # masses: 3^5 modes
 
 
-def masses(p: Parameters, m: Sequence[Fraction]) -> System:
-    """Return the model of N masses, in order from the left wall."""
+def masses(p: Parameters, m: Sequence[Fraction], *, proportional: bool = False) -> System:
+    """Return the model of N masses, in order from the left wall; ``proportional``: f_i = f m_i."""
     if not 1 <= len(m) <= MOST or min(m) <= 0:
         raise BadInput(f"give from 1 to {MOST} masses, and positive ones")
     inverse = [Polynomial.of(1 / q) for q in m]
-    return _system(p, inverse, lambda signs, i: _bounce(m, signs, i))
+    drags = [p.f * q if proportional else p.f for q in m]
+    return _system(p, inverse, drags, lambda signs, i: _bounce(m, signs, i))
 
 
 def second_mass(p: Parameters, m: Fraction) -> System:
@@ -41,22 +42,25 @@ def second_mass(p: Parameters, m: Fraction) -> System:
     """
     k, a, b, c = variables("k a b c")
     reset = {"v1": a * _v(1) - c * _v(0), "v2": b * _v(0) + c * _v(1)}
-    return _system(p, [Polynomial.of(1 / m), k], lambda _signs, _i: reset, ("k", "a", "b", "c"))
+    inverse, drags = [Polynomial.of(1 / m), k], [p.f, p.f]
+    return _system(p, inverse, drags, lambda _signs, _i: reset, ("k", "a", "b", "c"))
 
 
 def _system(
     p: Parameters,
     inverse: Sequence[Polynomial],
+    drags: Sequence[Fraction],
     collision: Callable[[Signs, int], Reset],
     parameters: tuple[str, ...] = (),
 ) -> System:
-    """Return the model, from the inverse masses, and the resets of neighbours that meet."""
+    """Return the model, from all 1/m_i and f_i, and the resets of neighbours that meet."""
     if not p.conserves:
         raise BadInput("the walls must be elastic, without viscosity: e = 1, mu = 0")
     n = len(inverse)
     state = tuple(f"{kind}{i}" for kind in "xv" for i in range(1, n + 1))
     modes = {
-        word(s): Mode(_field(p, inverse, s), dict(_guards(p, collision, s))) for s in _signs(n)
+        word(s): Mode(_field(p, inverse, drags, s), dict(_guards(p, drags, collision, s)))
+        for s in _signs(n)
     }
     return System(state, Polynomial.of(p.omega), modes, parameters)
 
@@ -78,17 +82,19 @@ def _v(i: int) -> Polynomial:
     return variable(f"v{i + 1}")
 
 
-def _field(p: Parameters, inverse: Sequence[Polynomial], signs: Signs) -> dict[str, Polynomial]:
+def _field(
+    p: Parameters, inverse: Sequence[Polynomial], drags: Sequence[Fraction], signs: Signs
+) -> dict[str, Polynomial]:
     """Return the field of a mode."""
     force = variable(COS) * p.F
     rates = {f"x{i + 1}": _v(i) if s else ZERO for i, s in enumerate(signs)}
     return rates | {
-        f"v{i + 1}": (force - s * p.f) * inverse[i] if s else ZERO for i, s in enumerate(signs)
+        f"v{i + 1}": (force - s * drags[i]) * inverse[i] if s else ZERO for i, s in enumerate(signs)
     }
 
 
 def _guards(
-    p: Parameters, collision: Callable[[Signs, int], Reset], signs: Signs
+    p: Parameters, drags: Sequence[Fraction], collision: Callable[[Signs, int], Reset], signs: Signs
 ) -> Iterator[tuple[str, Guard]]:
     """Yield the guards of a mode with their names."""
     last, force = len(signs) - 1, variable(COS) * p.F
@@ -106,7 +112,7 @@ def _guards(
         else:
             for side, name in ((1, "r"), (-1, "l")):
                 away = word(_with(signs, i, side))
-                yield f"release {i + 1} {name}", Guard(p.f - force * side, (away,))
+                yield f"release {i + 1} {name}", Guard(drags[i] - force * side, (away,))
 
 
 def _wall(h: Polynomial, signs: Signs, i: int, place: Fraction) -> Guard:

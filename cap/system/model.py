@@ -125,9 +125,17 @@ class System:
 
     def lie(self, mode: str, h: Polynomial) -> Polynomial:
         """Return L h, the derivative of h in time along the flights of a mode."""
-        clock = {COS: -self.omega * variable(SIN), SIN: self.omega * variable(COS)}
-        rates = {**self.modes[mode].field, **clock}
-        return sum((h.derivative(z) * rate for z, rate in rates.items()), ZERO)
+        if (mode, h) not in self._lies:
+            clock = {COS: -self.omega * variable(SIN), SIN: self.omega * variable(COS)}
+            rates = {**self.modes[mode].field, **clock}
+            names = h.variables
+            parts = (h.derivative(z) * rate for z, rate in rates.items() if z in names)
+            self._lies[mode, h] = sum(parts, ZERO)
+        return self._lies[mode, h]
+
+    @cached_property
+    def _lies(self) -> dict[tuple[str, Polynomial], Polynomial]:
+        return {}
 
     def matrix(self, mode: str) -> list[list[Polynomial]]:
         """Return M of y' = M y, y = (state, cos wt, sin wt, 1); its entries have no variables."""

@@ -146,10 +146,12 @@ class Polynomial:
 
     def multiple_of(self, other: Polynomial) -> Fraction | None:
         """Return a rational c with self = c other, 0 if self is 0; None if there is none."""
-        for monomial, c in other.terms.items():
-            factor = self.terms.get(monomial, Fraction(0)) / c
-            return factor if self == other * factor else None
-        return None if self else Fraction(0)
+        if not self:
+            return Fraction(0)
+        if self.terms.keys() != other.terms.keys():
+            return None
+        first, *others = (self.terms[monomial] / c for monomial, c in other.terms.items())
+        return first if all(factor == first for factor in others) else None
 
     def divided(self, other: Polynomial) -> Polynomial | None:
         """Return q with self = q other, q without negative powers; None if it is not found soon.

@@ -3,7 +3,9 @@
 import numpy as np
 
 from cap.areas.folded.basins import compiled_basins, fate_of, fate_of_lines
-from cap.checker.folded.basins import Basins, Ellipse, Row, Strip, bounds_of
+from cap.checker.attracting.segment import Strip
+from cap.checker.attracting.sinks import Ellipse
+from cap.checker.folded.basins import Basins, Row, bounds_of
 from cap.checker.folded.table import ATTRACTOR, NONE, SEGMENT
 from cap.checker.kernel import line
 from cap.checker.kernel import polynomials as q

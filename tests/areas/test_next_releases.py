@@ -12,7 +12,9 @@ from cap.areas.folded.constants import system_of
 from cap.areas.folded.next_releases import HELD, next_release, next_releases
 from cap.areas.folded.paths import LOST, RELEASED
 from cap.areas.folded.rests import height
-from cap.checker.folded.basins import Basins, Ellipse, Row, Strip
+from cap.checker.attracting.segment import Strip
+from cap.checker.attracting.sinks import Ellipse
+from cap.checker.folded.basins import Basins, Row
 from cap.checker.folded.motion import Releases
 from cap.checker.folded.paths import next_release as followed
 from cap.checker.folded.rests import height as resting

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from cap.areas.folded.next_event import HIT, NOTHING, next_event, place_at, speed_at
+from cap.checker.attracting.segment import Strip
 from cap.checker.folded import ahead, slopes
 from cap.checker.folded.ahead import (
     FATES,
@@ -19,7 +20,7 @@ from cap.checker.folded.ahead import (
     over,
     over_places,
 )
-from cap.checker.folded.basins import Basins, Row, Strip, bounds_of
+from cap.checker.folded.basins import Basins, Row, bounds_of
 from cap.checker.folded.events import after, event
 from cap.checker.folded.motion import Direction
 from cap.checker.folded.regions import UNIT, leaves

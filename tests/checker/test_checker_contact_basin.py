@@ -11,11 +11,13 @@ import numpy as np
 import pytest
 from support import rounds, seeded
 
+from cap.checker.kernel.certificate import read
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.resting.fates import Fates
 from cap.checker.resting.flights import Cell, Flights, Window
 from cap.checker.resting.pull import Pull, Wave
+from cap.checker.system.polynomial import variable
 from cap.checker.theorems import contact_basin
 from cap.checker.verdict import check, words
 from checker.altered import changed, encode, fits_the_schema, rejected, verify
@@ -194,8 +196,18 @@ def test_a_guard_of_rest_may_be_a_multiple():
     verify(altered(*REST, "guards", value={}))
 
 
+def test_both_variables_at_once():
+    """What depends on y and on v is no side of a rectangle."""
+    theorem = contact_basin.ContactBasin(read(encode(GOOD)), lambda _: None)
+    for q in (variable("y") + variable("v"), variable("sin")):
+        with pytest.raises(Rejected, match="depends on both variables"):
+            theorem.side(q)
+
+
 def test_the_work_is_bounded(monkeypatch):
-    """Cells times steps of the grid of times."""
+    """Cells times steps of the grid of times; bits; numbers."""
+    rejected(altered("hints", "bits", value="2000"), "more than 1024 bits")
+    rejected(altered("claims", "until", value="1" + "0" * 31), "larger than")
     monkeypatch.setattr(contact_basin, "WORK", 1000)
     rejected(GOOD, "cells times steps are more than")
 

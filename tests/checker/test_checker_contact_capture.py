@@ -206,6 +206,11 @@ def test_other_systems(path, value, why):
         ((*STOP, "reset"), {"v": [["-1/2", "v"]]}, None),
         ((*BACK, "value"), [["-1", "v"]], "no guard of right is h' times a negative number"),
         (("claims", "rising"), "right", "h' after a hit|to 0"),
+        (
+            ("parameters", "modes", "left", "guards", "wall", "value"),
+            [["-999/1000"], ["1", "x"]],
+            "wall of left may come to 0",
+        ),
         (("parameters", "modes", "right", "guards", "wall", "to"), ["left", "rest"], None),
         (
             ("parameters", "modes", "right", "guards", "wall", "to"),

@@ -194,6 +194,8 @@ def test_one_contact():
     ContactsFamily.limit(hints, claims)
     with pytest.raises(Rejected, match=r"claims.states is not a list of 1"):
         ContactsFamily.limit(hints, claims | {"states": []})
+    with pytest.raises(Rejected, match="bits x variables x pieces of legs"):
+        ContactsFamily.limit(hints | {"cuts": [[{"wall": range(1 << 18)}]]}, claims)
 
 
 def test_the_sentence():

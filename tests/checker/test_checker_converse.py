@@ -137,6 +137,20 @@ def test_a_ring():
     assert not ring.surrounds(Fraction(11, 100))
 
 
+def test_the_area_in_units_of_the_system():
+    """That of a ring times F^2/omega^3."""
+    theorem = Converse(read(encode(GOOD)), lambda _: None)
+    theorem.p = theorem.p._replace(F=Fraction(3), omega=Fraction(2))
+    area = Fraction(4, 100) * 9 / 8
+    for claimed in (area, area - Fraction(1, 10**9)):
+        theorem.claims["area"] = claimed
+        if claimed == area:
+            theorem.area(Ring(ORIGIN, SQUARE))
+        else:
+            with pytest.raises(Rejected, match="area inside the last ring is larger"):
+                theorem.area(Ring(ORIGIN, SQUARE))
+
+
 def test_a_ring_that_is_no_square():
     """The largest square about O that lies inside of a triangle, beside its corners."""
     w = [(8, 1), (-3, 7), (-2, -5)]

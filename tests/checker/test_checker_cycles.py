@@ -23,6 +23,7 @@ def theorem(more, cycles, *, attractor=False):
     del lie["claims"]["segment"]
     if not attractor:
         del lie["claims"]["attractor"], lie["hints"]["attractor"]
+        lie["cites"] = []
     return Mixed(read(encode(lie)), lambda _step: None)
 
 
@@ -81,5 +82,17 @@ def test_an_attractor_has_its_hints():
     for part in ("claims", "hints"):
         lie = certificate()
         del lie[part]["attractor"]
+        if part == "claims":
+            lie["cites"] = []
         with pytest.raises(Rejected, match="without its hints"):
             read(encode(lie))
+
+
+def test_what_is_cited_is_cited_for_an_attractor():
+    """Without one nothing is cited; with one all that its entropy needs."""
+    lie = certificate()
+    assert lie["cites"] == Mixed.cited(lie["claims"])
+    assert Mixed.cited({"cycles", "sinks", "segment"}) == []
+    lie["cites"] = []
+    with pytest.raises(Rejected, match="cites"):
+        read(encode(lie))

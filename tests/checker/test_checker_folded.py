@@ -7,7 +7,6 @@ from fractions import Fraction
 
 import pytest
 
-from cap.checker.folded.flights import constants
 from cap.checker.folded.motion import Releases
 from cap.checker.folded.rests import height
 from cap.checker.kernel.rejection import Rejected
@@ -19,9 +18,15 @@ PAPER = Parameters(*map(Fraction, (1, 1, "2/5", -1, 1)))
 def test_constants():
     """Doubles next to them, with errors."""
     p = Parameters(*map(Fraction, (3, 2, "4/3", "-1/2", "3/4")))
-    found = constants(p)
-    for (value, error), truth in zip(
-        found, (4 / 9, 5 / 3, math.acos(4 / 9), math.pi, math.sqrt(65) / 9), strict=True
+    y = Releases(p)
+    a, theta = 4 / 9, math.acos(4 / 9)
+    for (value, error), truth in (
+        ((-y.a, y.a_error), a),
+        (y.width, 5 / 3),
+        (y.rest, theta),
+        (y.theta, math.pi - theta),
+        (y.pi, math.pi),
+        (y.sine, math.sqrt(65) / 9),
     ):
         assert value == pytest.approx(truth, abs=1e-15)
         assert 0 < error < 1e-15

@@ -10,7 +10,7 @@ import pytest
 from cap.checker.attracting import cycles, sinks
 from cap.checker.folded import events, flights, motion, paths
 from cap.checker.folded.events import hit, stop
-from cap.checker.folded.instants import stopping
+from cap.checker.folded.instants import hitting, stopping
 from cap.checker.folded.motion import upcoming
 from cap.checker.kernel import line
 from cap.checker.kernel import polynomials as q
@@ -166,6 +166,15 @@ def test_a_stop_is_refused_if_the_flight_may_begin_after_its_arc():
     stop(AHEAD, f._replace(begun=(BEGUN, SLOW - 0.1)), 2.3, 1)
     with pytest.raises(Rejected, match="a flight may begin after the arc of a stop"):
         stop(AHEAD, f._replace(begun=(BEGUN, SLOW + 0.1)), 2.3, 1)
+
+
+@pytest.mark.parametrize(("y", "flown"), [(AHEAD, flight), (LINES, path)])
+def test_an_event_is_not_looked_for_where_its_slope_is_not_positive(y, flown):
+    """A hit of a mass that moves back, a stop while the speed grows."""
+    with pytest.raises(Rejected, match="the time of an event is not certain"):
+        hitting(y, flown(-1, -2), 0.1)
+    with pytest.raises(Rejected, match="the time of an event is not certain"):
+        stopping(y, flown(-1, 2), 0.1)
 
 
 # in one variable

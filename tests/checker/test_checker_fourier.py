@@ -7,9 +7,11 @@ from fractions import Fraction
 import pytest
 from support import rounds, seeded
 
+from cap.checker.kernel.arctangent import pi
 from cap.checker.kernel.fourier import Circle, Function, exp_above, product, root
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.tori.invariant_curve import Shift
 
 PLACES = 30
 CIRCLE = Circle(12, Fraction(1, 5), PLACES)
@@ -91,6 +93,33 @@ def test_operations_contain(error):
             assert contains(sin, theta, cmath.sin(3 * a + 1))
             assert contains(u * c, theta, a * 0.4)
             assert contains(u.divided(7), theta, a / 7)
+
+
+def test_products_of_what_is_known_and_what_is_not():
+    """Each error counts, also where the other function has none."""
+    rng = seeded("one error")
+    u, w, far = drawn(rng), drawn(rng), 10**29
+    for a, b in ((u.with_error(far), w), (u, w.with_error(far))):
+        found, p, q = a * b, a.error / UNIT, b.error / UNIT
+        for theta in points(rng):
+            for sign in (1, -1):
+                exact = (value(u, theta) + sign * p) * (value(w, theta) + sign * q)
+                assert contains(found, theta, exact)
+
+
+@pytest.mark.parametrize("error", [0, 10**26])
+def test_shifts_contain(error):
+    """u(theta + 2 pi alpha), alpha known up to a little; the error of u is one of the shift."""
+    rng = seeded(f"shift {error}")
+    u = drawn(rng, error=error)
+    for wide in (Fraction(0), Fraction(1, 10**6)):
+        alpha = Interval.enclosing(Fraction(2, 7) - wide, Fraction(2, 7) + wide, 120)
+        moved = Shift(CIRCLE, alpha, pi(120))(u)
+        assert moved.error >= error
+        for theta in points(rng):
+            for turns in (alpha.lower, alpha.upper):
+                there = value(u, theta + 2 * math.pi * float(turns))
+                assert contains(moved.with_error(moved.error - error), theta, there)
 
 
 def test_they_are_tight():

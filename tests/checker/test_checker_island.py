@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cap.checker.kernel.certificate import read
-from cap.checker.kernel.fourier import Circle
+from cap.checker.kernel.fourier import Circle, Function
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.island import Island
@@ -417,6 +417,25 @@ def test_what_is_no_hit_of_functions(t, v, why):
     hit = Hit.of(constant(t), constant(1 / (v + np.sin(t) - 2 * t / 5)))
     with pytest.raises(Rejected, match=why):
         motion.passage(hit, constant(float(x)), constant(v))
+
+
+@pytest.mark.parametrize(("t", "hits"), [(0.05, False), (3.1, False), (0.2, True)])
+def test_hits_that_are_not_all_in_time(t, hits):
+    """t + cos(theta)/10 is in (0, pi) for all theta, or leaves it for some."""
+    motion, circle = Motion(Fraction(2, 5), Fraction(1), 160), Circle(24, Fraction(1, 10), 40)
+
+    def constant(value):
+        return circle.constant(Interval.enclosing(Fraction(value), Fraction(value), 160))
+
+    time = constant(t) + Function(circle, [(0, 0), (circle.unit // 20, 0)], 0)
+    v = constant(3)
+    hit = Hit.of(time, constant(1 / (3 + np.sin(t) - 2 * t / 5)))
+    x = v * -1 * time + hit.cos + (time * time).divided(5)
+    if hits:
+        motion.passage(hit, x, v)
+    else:
+        with pytest.raises(Rejected, match=r"not be in \(0, pi\)"):
+            motion.passage(hit, x, v)
 
 
 def test_states_stop_or_not():

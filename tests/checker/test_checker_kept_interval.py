@@ -52,7 +52,7 @@ def test_no_multiple_of_pi_is_counted_twice():
     """For each region the numbers of those that count increase."""
     theorem, V, y = small()[0], 3.0, Direction(PAPER)
     seen = 0
-    for leaf in [*theorem.sticks(y, LATE)][::2] + [*theorem.turns(y)][::2]:
+    for leaf in [*theorem.leaves(y, "late")][::2] + [*theorem.leaves(y, "turns")][::2]:
         start = turns(y, leaf.region) if leaf.parts else sticks(y, LATE, leaf.region)
         numbers = [strobe.number for _, strobe in backwards(y, start.flight, leaf.flights, V)]
         assert all(a < b for a, b in pairwise(numbers))

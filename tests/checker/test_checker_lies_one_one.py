@@ -54,9 +54,9 @@ def test_a_trace_of_two():
     with mp.workdps(50):
         f = decimals(2 / mp.pi - mpf("1e-25"))
     certificate = forge_symmetric(PAPER | {"f": f}, 6)
-    rejected(certificate, r"branches.plus.trace is not in \(-2, 2\)")
     saddle = changed(certificate, "claims", "branches", "plus", "type", "saddle")
-    rejected(saddle, "branches.plus.trace does not exclude")
+    for either in (certificate, saddle):
+        rejected(either, "branches.plus.trace is not that of the type claimed")
 
 
 def slow(sign, speed, low, high):
@@ -161,29 +161,15 @@ def test_a_root_at_the_end_of_its_claim():
                 rejected(claimed, r"paper_roots\[0\].theta may not contain the root")
 
 
-def test_a_velocity_near_zero():
-    """With a root 1e-8 before pi the paper's velocity is not told from 0 by six digits."""
+def test_a_root_near_an_end():
+    """A claim that reaches over 0 is not in its half of (0, pi), with its root in it."""
     with mp.workdps(50):
         r = decimals(mp.pi**2 * 9 / 20 - 2 + mpf("1e-8"))
     certificate = forge_symmetric(PAPER | {"f": "9/10", "l": "0", "r": r}, 10)
     verify(certificate)
     certificate["digits"] = "6"
-    path = "claims", "paper_roots", 1, "velocity"
-    for upper in ("0", "0.0000001"):
-        ends = [certificate["claims"]["paper_roots"][1]["velocity"][0], upper]
-        rejected(changed(certificate, *path, ends), r"paper_roots\[1\].velocity is not negative")
-
-
-@pytest.mark.parametrize("n", [0, 1])
-def test_a_root_near_an_end(n):
-    """A claim that reaches over 0, or pi, is not in its half of (0, pi), with its root in it."""
-    with mp.workdps(50):
-        r = decimals(mp.pi**2 * 9 / 20 - 2 + mpf("1e-8"))
-        over = ["-0.0000001", "3.1415927"][n]
-    certificate = forge_symmetric(PAPER | {"f": "9/10", "l": "0", "r": r}, 10)
-    certificate["digits"] = "6"
-    path = "claims", "paper_roots", n, "theta", n
-    rejected(changed(certificate, *path, over), "theta is not in its half")
+    path = "claims", "paper_roots", 0, "theta", 0
+    rejected(changed(certificate, *path, "-0.0000001"), "theta is not in its half")
 
 
 # the pitchfork

@@ -39,7 +39,12 @@ def test_it_is_verified():
     fits_the_schema(GOOD)
     said = words(read(encode(GOOD)))
     low, high = CLAIMS["bounds"]
-    for part in ("(3/10 sin(x) + x + y, 3/10 sin(x) + y)", "[0;1,(1)]", f"y < {low} to y > {high}"):
+    for part in (
+        "the map (x, y) -> (3/10 sin(x) + x + y, 3/10 sin(x) + y) of the cylinder, x modulo 2 pi",
+        "[0;1,(1)]",
+        f"on it {low} <= y <= {high};",
+        f"y < {low} to y > {high}",
+    ):
         assert part in said
 
 

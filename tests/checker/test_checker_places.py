@@ -14,7 +14,7 @@ from cap.checker.folded.masses import Places
 from cap.checker.folded.motion import Releases
 from cap.checker.folded.paths import next_release
 from cap.checker.folded.portions import Node, Piece, portion
-from cap.checker.folded.table import ATTRACTOR, EITHER, SEGMENT
+from cap.checker.folded.table import ATTRACTOR, EITHER, SEGMENT, divided
 from cap.checker.folded.tree import nodes
 from cap.checker.kernel import line
 from cap.checker.kernel.rejection import Rejected
@@ -79,12 +79,12 @@ def test_nothing_is_followed_across_a_border():
             next_release(y, NOWHERE, ends)
 
 
-def doubling(hole):
+def doubling(hole, times=1):
     """Return what is known if x goes to 2 x, [1/2, 1] is attracted, and a node is not followed."""
     below = [n for n in (Node(k, 6) for k in range(32)) if n != hole]
     pieces = [Piece(n, ((4 * n.k + 2) / 128, 1 / 64, *ZEROS)) for n in below]
     pieces = [Piece(n, (c, 1e-15)) for n, c in pieces]
-    return Places([(0.5, 1.0)], 1.0, 10, pieces)
+    return Places([(0.5, 1.0)], 1.0, 10, pieces * times)
 
 
 def test_measures_of_places():
@@ -150,10 +150,21 @@ def test_portions_are_not_halved_without_end(monkeypatch):
 
 
 def test_pieces_that_overlap():
-    """They are no parts."""
-    after = (0.2, 0.01, *ZEROS), 1e-12
-    with pytest.raises(Rejected, match="overlap"):
-        Places([(0.5, 1.0)], 1.0, 2, [Piece(Node(0, 2), after), Piece(Node(0, 1), after)])
+    """What is in two of them counts once, and as what is attracted, if one is."""
+    once, twice = doubling(Node(16, 6)), doubling(Node(16, 6), 2)
+    assert (once.ends, once.masses) == (twice.ends, twice.masses)
+    piece = Piece(Node(1, 2), ((0.5, 0.3, *ZEROS), 1e-12))
+    both = Places([(0.4, 1.0)], 1.0, 2, [piece, Piece(Node(0, 2), ATTRACTOR)])
+    assert both.ends == [0.0, 0.25, 0.4, 1.0]
+    assert both.missing((0.0, 1.0), ATTRACTOR) == pytest.approx(0.15)
+
+
+def test_divided():
+    """Gaps have no fate; of two that overlap the first counts; equal neighbours are one."""
+    known = [((0.5, 0.7), 2), ((0.1, 0.3), 1), ((0.2, 0.4), 1), ((0.2, 0.25), 2), ((0.6, 0.8), 1)]
+    assert divided(1.0, known) == ([0.0, 0.1, 0.4, 0.5, 0.7, 0.8, 1.0], [0, 1, 0, 2, 1, 0])
+    assert divided(1.0, []) == ([0.0, 1.0], [0])
+    assert divided(1.0, [((0.0, 1.0), 1)]) == ([0.0, 1.0], [1])
 
 
 def test_what_goes_beyond_the_walls_is_nothing():

@@ -35,7 +35,7 @@ def test_near_starts_from_turning_orbits_and_odd_itineraries(f):
 
 def test_near_drops_a_last_hit_that_is_one_too_many():
     """From a guess with three hits, an orbit with two is found."""
-    times = flow.one_period(oscillator(PAPER), -0.95, 0.6, formal=True).hit_times
+    times = flow.hit_times(oscillator(PAPER), -0.95, 0.6)
     assert len(times) == 3
     assert len(periodic.near(PAPER, -0.95, 0.6).hit_times) == 2
 

@@ -12,10 +12,10 @@ import pytest
 from systems import CASES, FRICTIONS, SHIFTED
 
 from cap.errors import BadInput
-from cap.floats.engine import flow
 from cap.floats.search import periodic
+from cap.floats.search.border import margins
 from cap.floats.search.periodic import Guess
-from cap.flow.itinerary import oscillator
+from cap.flow.itinerary import itinerary, oscillator
 from cap.flow.model import Moment
 from cap.parameters import PAPER
 
@@ -30,9 +30,9 @@ def symmetric(p, branch):
     return math.atan2(s, c) / omega, u, (2 - k) ** 2 - 2
 
 
-def end(p, guess):
+def followed(p, guess):
     """Return the orbit of a guess over one period."""
-    return flow.one_period(oscillator(p), guess.x, guess.v)
+    return itinerary(p, guess.x, guess.v, 2 * math.pi / float(p.omega))
 
 
 def test_the_four_orbits_of_the_paper():
@@ -63,11 +63,13 @@ def test_orbits_are_genuine_periodic_and_different(p, hits):
     assert found
     o = oscillator(p)
     for g in found:
-        orbit = end(p, g)  # raises Turns if it is not genuine
-        assert orbit.hit_times == pytest.approx(g.hit_times, abs=1e-10)
+        orbit, margin = followed(p, g), margins(p, (g.x, g.v), 1)
+        assert {word.split()[0] for word in orbit.words} == {"hit"}
+        assert [event.time for event in orbit.events] == pytest.approx(g.hit_times, abs=1e-10)
         assert orbit.end == pytest.approx((g.x, g.v), abs=1e-10)
         assert sum(orbit.monodromy[k][k] for k in range(2)) == pytest.approx(g.trace, rel=1e-8)
-        assert orbit.least_speed == pytest.approx(g.least_speed, abs=1e-11)
+        least = min(margin.least_speed, margin.hit_speed) * float(p.R * p.omega)
+        assert least == pytest.approx(g.least_speed, abs=1e-10)
         assert len(g.hit_times) == hits
         assert 0 < g.hit_times[0] < g.hit_times[-1] < o.T
     states = [(g.x, g.v) for g in found]
@@ -83,7 +85,7 @@ def test_symmetric_orbit_in_closed_form(p, branch):
     (found,) = [
         g for g in periodic.orbits(p, 2) if g.hit_times == pytest.approx((t, t + half), abs=1e-11)
     ]
-    assert [abs(v) for v in end(p, found).hit_velocities] == pytest.approx([u, u], abs=1e-10)
+    assert [abs(e.velocity) for e in followed(p, found).events] == pytest.approx([u, u], abs=1e-10)
     assert found.trace == pytest.approx(trace, rel=1e-9, abs=1e-9)
 
 

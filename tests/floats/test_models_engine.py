@@ -17,8 +17,6 @@ from models import ball, spring
 
 from cap.errors import BadInput
 from cap.floats.engine import swarm
-from cap.floats.masses.particles import Particles, Unresolved
-from cap.floats.masses.particles import follow as follow_masses
 from cap.floats.models import source
 from cap.floats.models.engine import OUTSIDE, Engine
 from cap.floats.models.identities import split
@@ -55,24 +53,25 @@ def test_friction_as_the_hand_written_engine(p):
     assert (found.counts[:, -1] > 0).tolist() == (other.captured > 0).tolist()
 
 
-@pytest.mark.slow
-def test_two_masses_as_the_hand_written_engine():
-    """The same states and number of events, of orbits whose contacts do not accumulate."""
-    random = np.random.default_rng(3)
-    system, same = Particles(PAPER, TWO), 0
-    for _ in range(40):
-        x, v = np.sort(random.uniform(-0.9, 0.9, 2)), random.uniform(-2, 2, 2)
-        mode = "".join("+" if u > 0 else "-" for u in v)
-        found = engine("masses").follow([[*x, *v]], [mode])
-        if found.flags[0] & MANY:
-            continue
-        try:
-            path = follow_masses(system, x, v, 2 * np.pi)
-        except Unresolved:  # contacts accumulate, or last
-            continue
-        assert found.states[0] == pytest.approx([*path.x, *path.v], abs=1e-9)
-        same += 1
-    assert same > 30
+STARTS = [0.3, 0.9, -0.4, 1.5], [-0.7, -0.2, 2.0, -1.1], [-0.1, 0.6, -1.2, 0.4]
+
+
+@pytest.mark.parametrize(
+    ("name", "starts"),
+    [
+        (LOSSY, [[0.2, 0.5], [-0.6, 1.9], [0.0, -0.1]]),
+        pytest.param("masses", STARTS, marks=pytest.mark.slow),
+    ],
+    ids=["one", "two"],
+)
+def test_what_is_interpreted_is_what_is_compiled(name, starts):
+    """To the last bit: states, events, and what happened."""
+    compiled = engine(name)
+    plain = Engine(compiled.system, interpreted=True)
+    found, other = (E.follow(starts, periods=9, log=2000, every=True) for E in (plain, compiled))
+    assert found.counts.sum() > 60
+    for part in ("states", "modes", "counts", "flags", "log", "path"):
+        assert np.array_equal(getattr(found, part), getattr(other, part), equal_nan=True)
 
 
 @pytest.mark.slow  # half a minute to compile two masses

@@ -19,18 +19,19 @@ from cap.parameters import PAPER
 PAIR = (0.1003, 0.5592, 0.5419, 1.0670)  # the elliptic orbits of one mass: x, x, v, v
 
 
-def path_to(f, lighter, steps=10):
-    """Return systems from equal masses at f = 2/5, first in f, then in the second mass."""
-    first, grid = PAPER.f, [Fraction(k, steps) for k in range(steps + 1)]
-    frictions = [first + (f - first) * s for s in grid] if f != first else [first]
-    systems = [Particles(replace(PAPER, f=each), (Fraction(1), Fraction(1))) for each in frictions]
-    last = systems[-1].parameters
-    return systems + [Particles(last, (Fraction(1), 1 + (lighter - 1) * s)) for s in grid[1:]]
+EQUAL = Particles(PAPER, (Fraction(1), Fraction(1)))
+
+
+def reached(f, lighter):
+    """Return the orbit at a friction and a second mass, continued from equal masses at f = 2/5."""
+    other = replace(EQUAL, parameters=replace(PAPER, f=f))
+    z, _ = continued(EQUAL, other, PAIR)
+    return continued(other, replace(other, masses=(Fraction(1), lighter)), z)[1]
 
 
 def test_equal_masses():
     """A pair of orbits of one mass, both with the trace of the elliptic one."""
-    z, path = fixed_point(path_to(PAPER.f, Fraction(1))[0], PAIR)
+    z, path = fixed_point(EQUAL, PAIR)
     assert z == pytest.approx(PAIR, abs=1e-4)
     assert path.least_speed == pytest.approx(0.08914, abs=1e-5)
     assert reduced_traces(path.monodromy) == pytest.approx((-0.460287, -0.460287), abs=1e-5)
@@ -39,7 +40,7 @@ def test_equal_masses():
 
 def test_an_elliptic_orbit_at_unequal_masses():
     """At m = (1, 9/10), f = 91/200 nobody stops, and both pairs are on the unit circle."""
-    _, path = continued(path_to(Fraction(91, 200), Fraction(9, 10)), PAIR)
+    path = reached(Fraction(91, 200), Fraction(9, 10))
     right, left = ("hit r", "meet 1 2"), ("hit l", "meet 1 2")
     assert path.words == (*right, *right, *left, *left)
     assert path.least_speed > 0.1
@@ -53,15 +54,15 @@ def test_an_elliptic_orbit_at_unequal_masses():
 
 def test_at_the_papers_parameters_it_is_not_elliptic():
     """At f = 2/5, walls -1 and 1, m = (1, 9/10) one pair of multipliers is real and negative."""
-    _, path = continued(path_to(PAPER.f, Fraction(9, 10)), PAIR)
+    path = reached(PAPER.f, Fraction(9, 10))
     high, low = reduced_traces(path.monodromy)
     assert high.imag == low.imag == 0
     assert low.real < -2 < high.real < 2
 
 
 def test_not_found():
-    """No orbit to begin with, no system: nothing is returned."""
+    """No orbit to begin with, none at a mass three times as large: nothing is returned."""
     with pytest.raises(NotFound):
-        continued([], PAIR)
-    with pytest.raises(NotFound):
-        fixed_point(path_to(PAPER.f, Fraction(1))[0], (-0.5, 0.5, 0.1, -0.1))
+        fixed_point(EQUAL, (-0.5, 0.5, 0.1, -0.1))
+    with pytest.raises(NotFound, match=r"before m = 1, 1\.0"):
+        continued(EQUAL, replace(EQUAL, masses=(Fraction(1), Fraction(3))), PAIR)

@@ -10,7 +10,6 @@ from scipy.integrate import solve_ivp
 from support import rounds, seeded
 
 from cap.errors import BadInput
-from cap.floats.masses.contacts import first_contact
 from cap.floats.masses.particles import Particles, Unresolved, follow
 from cap.flow.itinerary import itinerary
 from cap.parameters import PAPER, Parameters
@@ -221,11 +220,6 @@ def test_masses_are_released_together():
     releases = [event for event in path.events if event.word.startswith("release")]
     assert [event.word for event in releases[:2]] == ["release 1 left", "release 2 left"]
     assert releases[0].time == releases[1].time == pytest.approx(math.pi - math.acos(0.4))
-
-
-def test_a_maximum_that_rounds_to_zero():
-    """A gap that rises from 0 to at most 0, and falls, closes where it is largest."""
-    assert first_contact(lambda t: (-1e-17 - (t - 1) ** 2, 2 - 2 * t), [0.9, 2.0]) == 1.0
 
 
 @pytest.mark.parametrize(

@@ -22,6 +22,7 @@ from cap.checker.folded.numbers import Pair
 from cap.checker.folded.paths import next_release
 from cap.checker.folded.units import Distances
 from cap.checker.kernel import line
+from cap.checker.kernel.citation import Citation
 from cap.checker.kernel.rejection import Rejected, need
 from cap.checker.kernel.shapes import Enclosure, columns
 from cap.checker.kernel.theorem import Certificate
@@ -30,10 +31,22 @@ from cap.checker.theorems.attractor import Attractor
 _MOST = 1 << 12  # intervals that are followed
 
 
+def where_claimed(citation: Citation) -> Citation:
+    """Return what is cited for an attractor, if one is claimed."""
+    only, found = "only where ", list[dict[str, Any]]()
+    for known in citation["hypotheses"]:
+        statement, by = known["statement"], [f"attractor.{name}" for name in known["by"]]
+        link = " and " if statement.startswith(only) else ": "
+        statement = f"{only}`attractor` is claimed{link}{statement.removeprefix(only)}"
+        found.append({**known, "statement": statement, "by": by})
+    return citation | {"hypotheses": found}
+
+
 class Chaotic(Part):
     """The interval I, and what is claimed of G on it."""
 
     CLAIM, HINTS = columns(Attractor.CLAIMS), columns(Attractor.HINTS)
+    CITES = tuple(map(where_claimed, Attractor.CITES))
 
     @classmethod
     def limit(cls, hints: dict[str, Any], claim: Any) -> None:

@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 
 from cap.checker.folded.basins import Basins
 from cap.checker.folded.units import Units
+from cap.checker.kernel.citation import Citation
 from cap.checker.kernel.shapes import Enclosure
 from cap.checker.kernel.theorem import Theorem
 
@@ -15,11 +16,13 @@ from cap.checker.kernel.theorem import Theorem
 class Part(ABC):
     """What a certificate claims to attract, of one kind.
 
-    ``CLAIM`` is the shape of the claim, ``HINTS`` that of its own hints.
+    ``CLAIM`` is the shape of the claim, ``HINTS`` that of its own hints, ``CITES``
+    what it cites.
     """
 
     CLAIM: ClassVar[Any]
     HINTS: ClassVar[Any] = None
+    CITES: ClassVar[tuple[Citation, ...]] = ()
 
     def __init__(self, theorem: Theorem, claim: Any) -> None:
         self.theorem, self.claim, self.scale = theorem, claim, Units(theorem.p)

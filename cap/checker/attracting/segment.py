@@ -3,13 +3,28 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import NamedTuple
 
 from cap.checker.attracting.part import Part
-from cap.checker.folded.basins import Basins, Row, Strip
+from cap.checker.folded.basins import Basins, Bounds, Row, rounded
 from cap.checker.folded.units import above, below
 from cap.checker.kernel.shapes import columns
 from cap.checker.kernel.theorem import Certificate
 from cap.checker.theorems.segment import Segment
+
+
+class Strip(NamedTuple):
+    """The states (p, s) in all rows, p minus the distance to the wall ahead: to the segment."""
+
+    rows: tuple[Row, Row, Row]
+
+    def contains(self, bounds: Bounds) -> bool:
+        """Return whether some states are in it."""
+        return all(
+            row.low < low and high < row.high
+            for row in self.rows
+            for low, high in [bounds(rounded(row.a), rounded(row.b))]
+        )
 
 
 class Touching(Part):

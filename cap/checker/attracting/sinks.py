@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 
 from cap.checker.attracting.part import Part as Claimed
 from cap.checker.folded.ahead import sticking
-from cap.checker.folded.basins import Basins, Ellipse, Row, bounds_of, rounded
+from cap.checker.folded.basins import Basins, Bounds, Row, bounds_of, rounded
 from cap.checker.folded.events import after, event
 from cap.checker.folded.flights import Flight
 from cap.checker.folded.motion import Direction
@@ -91,6 +91,23 @@ def sink(units: Units, claim: dict[str, Any]) -> Sink:
     place = units.p.l - claim["x"] if left else claim["x"] - units.p.r
     centre = units.length(place), units.speed(abs(claim["v"]))
     return Sink(centre, (first, second), claim["halves"], left)
+
+
+class Ellipse(NamedTuple):
+    """The states with |u| < 1, u_k how far a p + b s is from the middle of a row: to a sink.
+
+    That is low + 1 = high - 1, low and high rounded to the safe side.
+    """
+
+    rows: tuple[Row, Row]
+
+    def contains(self, bounds: Bounds) -> bool:
+        """Return whether some states are in it."""
+        return self.radius(bounds) < 1
+
+    def radius(self, bounds: Bounds) -> float:
+        """Return a bound of |u| for some states."""
+        return math.hypot(*(distance(row, bounds) for row in self.rows)) * UP
 
 
 class Part(NamedTuple):
@@ -217,6 +234,12 @@ def launched(y: Direction, odd: bool, p: Model, s: Model) -> Flight:
 def known(x: Fraction) -> Model:
     """Return the model of a number."""
     return q.model(abs(float(x)) * TURN, one=float(x))
+
+
+def distance(row: Row, bounds: Bounds) -> float:
+    """Return a bound of the distance from the middle of a row that is 2 wide."""
+    low, high = bounds(rounded(row.a), rounded(row.b))
+    return (1 + max(row.low - low, high - row.high)) * UP + TURN
 
 
 def middle(ends: Pair) -> Pair:

@@ -36,11 +36,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 from cap.checker.folded.basins import Basins
 from cap.checker.folded.events import Event, after, event
 from cap.checker.folded.flights import Flight
+from cap.checker.folded.masses import Places
 from cap.checker.folded.motion import Direction
 from cap.checker.folded.numbers import TURN, UP, Pair
 from cap.checker.folded.regions import Region
@@ -48,33 +49,22 @@ from cap.checker.folded.rests import height
 from cap.checker.folded.slopes import BEGIN, Slopes, of_place
 from cap.checker.folded.slopes import after as slopes_after
 from cap.checker.folded.stops import turns
-from cap.checker.folded.table import ATTRACTOR, EITHER, SEGMENT
+from cap.checker.folded.table import FATES
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.polynomials import Model
 from cap.checker.kernel.rejection import Rejected, need
 
-FATES = ATTRACTOR, SEGMENT, EITHER
 EVENTS = 32
 PARTS = 4  # of Y
 _PURE = 0, 1, 3, 6, 10  # the monomials 1, Y, ..., Y^4
 _NEAR, _FAR = 0.05, 0.01  # z, and the wall behind
 
 
-class Fates(Protocol):
-    """What tells of places which have a fate."""
-
-    def missing(self, ends: Pair, fate: int) -> float:
-        """Return a bound of the measure of the places between these without a fate."""
-
-    def fate(self, ends: Pair) -> int:
-        """Return the fate of all places between these, or 0."""
-
-
 class Outlook(NamedTuple):
     """The flow forwards, and what is known of places and states."""
 
     y: Direction
-    fates: Fates
+    fates: Places
     basins: Basins
 
 

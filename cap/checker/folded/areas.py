@@ -15,11 +15,13 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from cap.checker.folded.ahead import FATES, Fates, Found, Outlook, found
+from cap.checker.folded.ahead import Found, Outlook, found
+from cap.checker.folded.masses import Places
 from cap.checker.folded.motion import Direction
 from cap.checker.folded.numbers import TURN, UP
 from cap.checker.folded.regions import Leaf, Region
 from cap.checker.folded.stops import PARTS, Start, backwards, places_of, sticks, turns
+from cap.checker.folded.table import FATES
 from cap.checker.kernel import polynomials as q
 
 
@@ -32,7 +34,7 @@ class Areas(NamedTuple):
     stops: float = 0.0
 
 
-def of_sticks(y: Direction, fates: Fates, V: float, side: int, leaf: Leaf) -> Areas:
+def of_sticks(y: Direction, fates: Places, V: float, side: int, leaf: Leaf) -> Areas:
     """Return the areas of the states at t = 0, slower than V, that come to a region of sticks."""
     start = sticks(y, side, leaf.region)
     return counted(y, V, leaf, start, [stuck(y, fates, start, side, leaf.region)])
@@ -43,7 +45,7 @@ def of_turns(y: Direction, o: Outlook, V: float, leaf: Leaf) -> Areas:
     return counted(y, V, leaf, turns(y, leaf.region), [found(o, part) for part in leaf.parts])
 
 
-def stuck(y: Direction, fates: Fates, start: Start, side: int, region: Region) -> Found:
+def stuck(y: Direction, fates: Places, start: Start, side: int, region: Region) -> Found:
     """Return what is found of sticks."""
     places, less = places_of(y, side, region), 2 * start.rate / PARTS * UP
     missing = (sum(fates.missing(part, fate) for part in places) * less for fate in FATES)

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from cap.checker.folded.flights import Flight, Model
 from cap.checker.folded.motion import Direction
-from cap.checker.folded.numbers import TURN, UP, Pair
+from cap.checker.folded.numbers import TURN, Pair
 from cap.checker.folded.table import ATTRACTOR, NONE, SEGMENT
 
 Bounds = Callable[[Pair, Pair], Pair]
@@ -29,43 +29,15 @@ class Row(NamedTuple):
     high: float
 
 
-class Strip(NamedTuple):
-    """The states (p, s) in all rows, p minus the distance to the wall ahead: to the segment."""
+class Basins(NamedTuple):
+    """What is known of basins: at even multiples of pi strips and ellipses, ellipses at ``odd``.
 
-    rows: tuple[Row, Row, Row]
-
-    def contains(self, bounds: Bounds) -> bool:
-        """Return whether some states are in it."""
-        return all(
-            row.low < low and high < row.high
-            for row in self.rows
-            for low, high in [bounds(rounded(row.a), rounded(row.b))]
-        )
-
-
-class Ellipse(NamedTuple):
-    """The states with |u| < 1, u_k how far a p + b s is from the middle of a row: to a sink.
-
-    That is low + 1 = high - 1, low and high rounded to the safe side.
+    The strips are those of `cap.checker.attracting.segment`, the ellipses of ``sinks``.
     """
 
-    rows: tuple[Row, Row]
-
-    def contains(self, bounds: Bounds) -> bool:
-        """Return whether some states are in it."""
-        return self.radius(bounds) < 1
-
-    def radius(self, bounds: Bounds) -> float:
-        """Return a bound of |u| for some states."""
-        return math.hypot(*(distance(row, bounds) for row in self.rows)) * UP
-
-
-class Basins(NamedTuple):
-    """What is known of basins: at even multiples of pi strips and ellipses, ellipses at ``odd``."""
-
-    strips: tuple[Strip, ...] = ()
-    ellipses: tuple[Ellipse, ...] = ()
-    odd: tuple[Ellipse, ...] = ()
+    strips: tuple[Any, ...] = ()
+    ellipses: tuple[Any, ...] = ()
+    odd: tuple[Any, ...] = ()
 
     def fate(self, k: int, bounds: Bounds) -> int:
         """Return the fate of states at a multiple k pi, if it is known, or 0."""
@@ -100,12 +72,6 @@ def bounds_of(q: Any, p: Model, s: Model) -> Bounds:
         return low, high
 
     return bounds
-
-
-def distance(row: Row, bounds: Bounds) -> float:
-    """Return a bound of the distance from the middle of a row that is 2 wide."""
-    low, high = bounds(rounded(row.a), rounded(row.b))
-    return (1 + max(row.low - low, high - row.high)) * UP + TURN
 
 
 def rounded(a: float) -> Pair:

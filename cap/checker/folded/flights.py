@@ -30,47 +30,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from functools import cache
 from typing import Any, NamedTuple
 
 from cap.checker.folded.numbers import TURN, UP, Pair
-from cap.checker.kernel.angles import of, rounded
-from cap.checker.kernel.arctangent import arccos, pi
-from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.rejection import need
-from cap.checker.kernel.rounding import need_doubles
-from cap.checker.system.walls import Parameters
 
-_BITS = 160
 Four = tuple[Pair, Pair, Pair, Pair]
 Model = Any
 """A model of `cap.checker.kernel.line` or of `cap.checker.kernel.polynomials`."""
-
-
-class Constants(NamedTuple):
-    """The constants a, W, theta, pi and sin theta, each a double with a bound of its error."""
-
-    a: Pair
-    width: Pair
-    theta: Pair
-    pi: Pair
-    sine: Pair
-
-
-@cache
-def angles(p: Parameters) -> tuple[Interval, Interval]:
-    """Return theta = arccos a, and pi."""
-    return arccos(Interval.enclosing(p.f / p.F, p.f / p.F, _BITS)), pi(_BITS)
-
-
-def constants(p: Parameters) -> Constants:
-    """Return the constants of the folded flow."""
-    need(p.f > 0 and p.e == 1 and p.mu == 0, "the folded flow needs f > 0, e = 1, mu = 0")
-    need_doubles()
-    cosine = Interval.enclosing(p.f / p.F, p.f / p.F, _BITS)
-    sine = (cosine.integer(1) - cosine.square()).sqrt()
-    width = rounded((p.r - p.l) * p.omega**2 / p.F)
-    return Constants(rounded(p.f / p.F), width, *map(of, (*angles(p), sine)))
 
 
 class Flight(NamedTuple):

@@ -23,8 +23,7 @@ from typing import NamedTuple
 from cap.checker.folded.numbers import UP, Pair
 from cap.checker.folded.portions import Piece, Portion
 from cap.checker.folded.settled import Settled
-from cap.checker.folded.table import ATTRACTOR, EITHER, SEGMENT
-from cap.checker.kernel.rejection import need
+from cap.checker.folded.table import FATES, divided
 
 _ROUNDS = 24
 _LITTLE = 1e-5  # by which a round must make the sum less, relatively
@@ -80,7 +79,7 @@ class Places:
             for n, part in enumerate(self.parts)
             if isinstance(part, Portion)
         ]
-        self.masses = {fate: self.mass(fate, reached) for fate in (ATTRACTOR, SEGMENT, EITHER)}
+        self.masses = {fate: self.mass(fate, reached) for fate in FATES}
         self.sums = {
             fate: list(accumulate(masses, initial=0)) for fate, masses in self.masses.items()
         }
@@ -126,18 +125,7 @@ def parts(settled: Settled) -> tuple[list[float], list[Part]]:
     """Return the ends of the parts, and the parts; portions in part kept are gaps."""
     apart = [p for p in settled.portions if p.c > 0 and not overlaps(p.ends, settled.kept)]
     items: list[tuple[Pair, Part]] = [*settled.table.known(), *((p.ends, p) for p in apart)]
-    ends, found = [0.0], list[Part]()
-    for (a, b), part in sorted(items, key=lambda item: item[0]):
-        need(ends[-1] <= a < b, "places overlap")
-        if ends[-1] < a:
-            ends.append(a)
-            found.append(0)
-        ends.append(b)
-        found.append(part)
-    if ends[-1] < settled.width:
-        ends.append(settled.width)
-        found.append(0)
-    return ends, found
+    return divided(settled.width, items)
 
 
 def overlaps(ends: Pair, intervals: Iterable[Pair]) -> bool:

@@ -10,33 +10,43 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from cap.checker.folded.flights import Flight, Four, Model, angles, carried, constants
+from cap.checker.folded.flights import Flight, Four, Model, carried
 from cap.checker.folded.numbers import TURN, UP, Pair, shifted
 from cap.checker.folded.scout import Middle, scout
 from cap.checker.kernel import line, polynomials
-from cap.checker.kernel.angles import cos_sin, of
+from cap.checker.kernel.angles import cos_sin, of, rounded
+from cap.checker.kernel.arctangent import arccos, pi
+from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.kernel.rounding import need_doubles
 from cap.checker.system.flight import place, velocity
 from cap.checker.system.walls import Parameters
 
 _ARCS = 12  # of a flight
+_BITS = 160
 _NEAR = 1e-13  # more than the errors of the times here, all below 90
 
 
 class Direction:
     """The constants of one direction of time, each a double with a bound of its error.
 
-    ``theta`` is arccos a, ``rest`` is arccos |a|, ``q`` the module of the models.
+    ``theta`` is arccos a, ``rest`` is arccos |a|, ``sine`` that of both, ``q`` the module of the
+    models.
     """
 
     q: Any = polynomials
 
     def __init__(self, p: Parameters, *, forwards: bool = False) -> None:
-        known, (theta, half) = constants(p), angles(p)
-        a, self.a_error = known.a
+        need(p.f > 0 and p.e == 1 and p.mu == 0, "the folded flow needs f > 0, e = 1, mu = 0")
+        need_doubles()
+        a, self.a_error = rounded(p.f / p.F)
         self.a = -a if forwards else a
-        self.width, self.rest, self.pi, self.sine = known[1:]
+        self.width = rounded((p.r - p.l) * p.omega**2 / p.F)
+        cosine, half = Interval.enclosing(p.f / p.F, p.f / p.F, _BITS), pi(_BITS)
+        theta = arccos(cosine)
+        self.rest, self.pi = of(theta), of(half)
         self.theta = of(half - theta) if forwards else self.rest
+        self.sine = of((cosine.integer(1) - cosine.square()).sqrt())
 
     def slow(self, k: int) -> Pair:
         """Return the slow time of this number, and a bound of its error."""

@@ -8,6 +8,7 @@ is a part of a piece, by halvings, with bounds of G, and |G'| >= c.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -63,14 +64,12 @@ class Portion(NamedTuple):
         """Return whether it is of no use to halve it."""
         return line.rest(self.next) <= _BLURRED * self.next[1]
 
-    def halves(self, width: float) -> tuple[Portion, Portion]:
-        """Return the halves; the derivative of what is left is halved."""
-        return self._half(width, upper=False), self._half(width, upper=True)
-
-    def _half(self, width: float, *, upper: bool) -> Portion:
-        after = line.half(self.next, 1.0 if upper else -1.0)
-        left = (self.left / 2 + (after[1] - self.next[1])) * UP
-        return portion(self.node.half(upper), after, left, width)
+    def halves(self, width: float) -> Iterator[Portion]:
+        """Give the halves; the derivative of what is left is halved."""
+        for upper, side in enumerate((-1.0, 1.0)):
+            after = line.half(self.next, side)
+            left = (self.left / 2 + (after[1] - self.next[1])) * UP
+            yield portion(self.node.half(bool(upper)), after, left, width)
 
 
 def portion(node: Node, after: Line, left: float, width: float) -> Portion:

@@ -5,27 +5,26 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator
 from itertools import accumulate, pairwise
+from operator import itemgetter
+from typing import TypeVar
 
 from cap.checker.folded.numbers import Pair
 
 NONE, ATTRACTOR, SEGMENT = 0, 1, 2
 EITHER = ATTRACTOR | SEGMENT  # what has one of both has it
+FATES = ATTRACTOR, SEGMENT, EITHER
+
+T = TypeVar("T")
 
 Known = tuple[Pair, int]
 """An interval, and the fate of all that lies in it."""
 
 
 class Table:
-    """Intervals between these ends, in order, each with a fate or 0."""
+    """[0, W] in intervals, in order, each with a fate or 0."""
 
-    def __init__(self, ends: list[float], fates: list[int]) -> None:
-        self.ends, self.fates = [ends[0]], list[int]()
-        for end, fate in zip(ends[1:], fates, strict=True):
-            if self.fates and self.fates[-1] == fate:
-                self.ends[-1] = end
-            else:
-                self.fates.append(fate)
-                self.ends.append(end)
+    def __init__(self, width: float, known: Iterable[Known]) -> None:
+        self.ends, self.fates = divided(width, known)
         sizes = (0.0 if fate else b - a for (a, b), fate in self._intervals())
         self._open = list(accumulate(sizes, initial=0.0))
 
@@ -54,16 +53,20 @@ class Table:
         return self._open[k] + (0.0 if self.fates[k] else x - self.ends[k])
 
 
-def table(width: float, known: Iterable[Known]) -> Table:
-    """Return the table of [0, W] that knows of these intervals, which do not overlap."""
-    ends, fates = [0.0], list[int]()
-    for (low, high), fate in sorted(known):
-        if low > ends[-1]:
-            ends.append(low)
-            fates.append(NONE)
-        ends.append(high)
-        fates.append(fate)
-    if ends[-1] < width:
-        ends.append(width)
-        fates.append(NONE)
-    return Table(ends, fates)
+def divided(width: float, known: Iterable[tuple[Pair, T]]) -> tuple[list[float], list[T | int]]:
+    """Return ends that divide [0, W], and what is known between them, or 0.
+
+    Where two intervals overlap, the first counts; what is the same of two next to each other, is
+    known of one.
+    """
+    steps = list[tuple[float, T | int]]()  # up to which place, what
+    for (low, high), what in sorted(known, key=itemgetter(0)):
+        steps += [(low, NONE), (high, what)]
+    ends, found = [0.0], list[T | int]()
+    for end, part in [*steps, (width, NONE)]:
+        if ends[-1] < end and found and found[-1] == part:
+            ends[-1] = end
+        elif ends[-1] < end:
+            ends.append(end)
+            found.append(part)
+    return ends, found

@@ -7,24 +7,15 @@ is shown.
 
 from __future__ import annotations
 
-from functools import cache
-
 from cap.checker.folded.basins import Basins
-from cap.checker.folded.motion import Direction, Releases
+from cap.checker.folded.motion import Direction
 from cap.checker.folded.paths import next_release
 from cap.checker.folded.portions import Node, Piece
 from cap.checker.kernel.rejection import Rejected, need
-from cap.checker.system.walls import Parameters
 
 NOTHING, FOLLOWED, HALVED = "0", "1", "2"
 LETTERS = NOTHING + FOLLOWED + HALVED
 DEEPEST, MOST = 30, 1 << 16  # a node, and how many may be followed
-
-
-@cache
-def system(p: Parameters) -> Direction:
-    """Return the constants at these parameters."""
-    return Releases(p)
 
 
 def nodes(tree: str) -> list[Node]:
@@ -43,9 +34,9 @@ def nodes(tree: str) -> list[Node]:
     return found
 
 
-def followed(p: Parameters, basins: Basins, width: float, node: Node) -> list[Piece]:
+def followed(y: Direction, basins: Basins, width: float, node: Node) -> list[Piece]:
     """Return the releases from a node, with the next ones; nothing, if these are not certain."""
     try:
-        return [Piece(node, next_release(system(p), basins, node.ends(width)))]
+        return [Piece(node, next_release(y, basins, node.ends(width)))]
     except Rejected:
         return []

@@ -32,14 +32,3 @@ class Cases(NamedTuple):
         chosen = [case for name, case in self.cases.items() if name == kind]
         need(len(chosen) == 1, f"{where}.{self.key} is none of: {', '.join(self.cases)}")
         return matched(value, {self.key: text, **chosen[0]}, where)
-
-
-class OneOrOther(NamedTuple):
-    """An object of the first shape, or what is no object, of the second shape."""
-
-    thing: Mapping[str, Any]
-    other: Any
-
-    def __call__(self, value: Any, where: str) -> Any:
-        """Read it."""
-        return matched(value, self.thing if isinstance(value, dict) else self.other, where)

@@ -33,9 +33,6 @@ def cos_sin(x: Interval) -> CosSin:
     bits = x.bits
     magnitude = max(abs(x.lo), abs(x.hi)).bit_length()  # |t| < 2^(magnitude - bits)
     p = max(magnitude, bits) + bits.bit_length() + 16
-    if x.lo == x.hi:
-        cos, sin = _cos_sin_at(x.lo << (p - bits), p)
-        return cos.with_bits(bits), sin.with_bits(bits)
     half_turns = x.with_bits(p) / pi(p)
     first, last = -(-2 * half_turns.lo >> p), 2 * half_turns.hi >> p
     inner = range(first, min(last, first + 3) + 1)  # four in a row are all there are

@@ -29,6 +29,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import accumulate
+from math import comb
 from operator import add, mul
 
 from cap.checker.kernel.angles import cos_sin
@@ -43,11 +44,8 @@ _WEIGHTS = tuple(1 + k / 4 for k in range(DEGREE + 1))
 _ORDERS = tuple(range(DEGREE + 1))
 _ZEROS = (0.0,) * DEGREE
 DEGREES = _ORDERS
+_BINOMIALS = [[comb(n, k) for k in _ORDERS] for n in _ORDERS]
 PARTS = [(k, k, k + 1) for k in _ORDERS[1:]]
-_BINOMIALS = [[1.0]]
-for _k in range(DEGREE):
-    _row = _BINOMIALS[-1]
-    _BINOMIALS.append([a + b for a, b in zip([0.0, *_row], [*_row, 0.0], strict=True)])
 BEND = 1.2  # of a cosine and a sine, at most, for each unit of the norms of both
 
 

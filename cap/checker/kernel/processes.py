@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import multiprocessing
 import signal
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from itertools import takewhile
 from typing import Any
@@ -35,27 +35,18 @@ class Work:
         weight: Callable[[Any], float] = lambda _task: 1,
     ) -> list[Any]:
         """Do the tasks of a phase."""
-        weights, found, done = list[float](), list[Any](), 0.0
+        waiting, found, done = list(tasks), list[Any](), 0.0
         before = sum(self.phases[name] for name in takewhile(words.__ne__, self.phases))
         whole = sum(self.phases.values()) or 1.0
         self.tell(words, before / whole)
-        for result in each(self.jobs, f, _weighed(tasks, weight, weights)):
+        for task, result in zip(waiting, each(self.jobs, f, waiting), strict=True):
             found.append(result)
-            done = min(done + weights[len(found) - 1], self.phases[words])
+            done = min(done + weight(task), self.phases[words])
             self.tell(words, (before + done) / whole)
         return found
 
 
-def _weighed(
-    tasks: Iterable[Any], weight: Callable[[Any], float], weights: list[float]
-) -> Iterator[Any]:
-    """Give tasks, and note their weights."""
-    for task in tasks:
-        weights.append(weight(task))
-        yield task
-
-
-def each(jobs: int, f: Callable[[Any], Any], tasks: Iterable[Any]) -> Iterator[Any]:
+def each(jobs: int, f: Callable[[Any], Any], tasks: Sequence[Any]) -> Iterator[Any]:
     """Do tasks in so many processes, in order; f, with all that it knows, goes to each once.
 
     In each of them, before and after a task, doubles are those of IEEE 754 (``rounding``).
@@ -63,9 +54,9 @@ def each(jobs: int, f: Callable[[Any], Any], tasks: Iterable[Any]) -> Iterator[A
     if jobs < 2:
         yield from map(in_doubles()(f), tasks)
         return
-    waiting, context = list(tasks), multiprocessing.get_context("spawn")
+    context = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(jobs, context, _begin, (f,)) as pool:
-        yield from pool.map(_do, waiting, chunksize=1 + len(waiting) // (64 * jobs))
+        yield from pool.map(_do, tasks, chunksize=1 + len(tasks) // (64 * jobs))
 
 
 def _begin(f: Callable[[Any], Any]) -> None:

@@ -13,7 +13,6 @@ from fractions import Fraction
 from typing import Any, ClassVar, NamedTuple
 
 from cap.checker.kernel.arctangent import pi
-from cap.checker.kernel.citation import Citation
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Enclosure, Field, Table, Whole
@@ -42,12 +41,12 @@ class Theorem(ABC):
     PARAMETERS: ClassVar[dict[str, Any]]
     HINTS: ClassVar[Table]
     CLAIMS: ClassVar[Table]
-    CITES: ClassVar[tuple[Citation, ...]] = ()
+    CITES: ClassVar[tuple[dict[str, Any], ...]] = ()
     PARTS: ClassVar[dict[str, str]] = {}  # modules that are loaded only where so much is claimed
     jobs: int = 1  # processes that a long proof may use
 
     @classmethod
-    def cited(cls, claims: Mapping[str, Any]) -> list[Citation]:  # noqa: ARG003
+    def cited(cls, claims: Mapping[str, Any]) -> list[dict[str, Any]]:  # noqa: ARG003
         """Return what is cited where so much is claimed; by default all."""
         return list(cls.CITES)
 

@@ -9,11 +9,11 @@ z^-).
 
 *The normal form.*  Write f for the map in z and z^-.  We seek psi = z + psi_2 + psi_3 + ... and
 
-    psi o f = N o psi,    N(w) = w (c_0 + c_1 |w|^2 + c_2 |w|^4 + ...),    c_0 = e.
+    psi o f = N o psi,    N(w) = e w exp(i (tau_1 |w|^2 + tau_2 |w|^4 + ...)).
 
 Suppose that this holds below degree d, and let E be the terms of degree d of psi_<d o f - N_<d o
 psi_<d.  A term psi_jk z^j z^-k, j + k = d, adds psi_jk (e^(j-k) - e) to E_jk.  So psi_jk = E_jk /
-(e - e^(j-k)) unless j = k + 1; for j = k + 1 the coefficient psi_jk is free, and c_k = E_jk.
+(e - e^(j-k)) unless j = k + 1; for j = k + 1 the coefficient psi_jk is free, and e i tau_k = E_jk.
 The division proves that e^(j-k-1) != 1.
 
 *The free coefficients.*  Let D = |d psi/dz|^2 - |d psi/dz^-|^2, the Jacobian determinant of psi.
@@ -30,13 +30,8 @@ Proof: f preserves area, hence (D o f) = D (det N' o psi).  If D = 1 below degre
 rho |z|^2n.  The left side has the same term |z|^2n as D_2n, so rho = 0; then e^(j-k) != 1 leaves no
 other term of D_2n, and none of D_(2n+1).
 
-*The twists* are those of N(w) = e w exp(i (tau_1 |w|^2 + tau_2 |w|^4 + ...)): by the derivative of
-its logarithm,
-
-    n c_n = i (tau_1 c_(n-1) + 2 tau_2 c_(n-2) + ... + n tau_n c_0).
-
-They are real, since N preserves area: the enclosure of Re(i tau_k) must contain 0, and that of
-Im(i tau_k) is the enclosure of tau_k with which the next ones are computed.
+*The twists* tau_k are real, since N preserves area: the enclosure of Re(i tau_k) must contain 0,
+and that of Im(i tau_k) is the enclosure of tau_k with which the next degrees are treated.
 """
 
 from __future__ import annotations
@@ -89,15 +84,14 @@ def in_complex_coordinate(x: RealJet, v: RealJet, frame: EllipticFrame) -> Jet[C
 
     Its linear part is e z exactly, since z is an eigenvector.
     """
-    zero = frame.p.integer(0)
-    p, q, i_half = Complex(frame.p, zero), frame.q, Complex(zero, frame.p.integer(1) / 2)
-    linear = (i_half * q.conjugate(), -(i_half * p))
+    p, q, zero = frame.p, frame.q, frame.p.integer(0)
+    i_half = Complex(zero, p.integer(1) / 2)
+    linear = (i_half * q.conjugate(), i_half * Complex(-p, zero))
     real = [Jet(x.order, {(1, 0): c, (0, 1): c.conjugate()}) for c in linear]  # dx and dv
-    X, V = (
-        Jet(w.order, {u: Complex(c, zero) for u, c in w.coefficients.items() if sum(u) > 1})
-        for w in (x, v)
-    )
-    return substituted(X * p + V * q, real) + Jet(x.order, {(1, 0): frame.eigenvalue})
+    nonlinear = {u for u in (*x.coefficients, *v.coefficients) if sum(u) >= 2}
+    a, b = ({u: w.coefficients.get(u, zero) for u in nonlinear} for w in (x, v))
+    image = Jet(x.order, {u: Complex(a[u] * p + b[u] * q.re, b[u] * q.im) for u in nonlinear})
+    return substituted(image, real) + Jet(x.order, {(1, 0): frame.eigenvalue})
 
 
 def conjugate(jet: Jet[Complex]) -> Jet[Complex]:
@@ -108,36 +102,39 @@ def conjugate(jet: Jet[Complex]) -> Jet[Complex]:
 def twists(f: Jet[Complex]) -> list[Interval]:
     """Return enclosures of tau_1, tau_2, ... of an area preserving map f = e z + ..., |e| = 1.
 
-    There are (order - 1)/2 of them.  A resonance of order at most order + 1 rejects.
+    There are (order - 1)/2 of them.  A resonance of order at most order + 1 rejects, and so does a
+    real part that certainly is not zero.
     """
-    e = f.coefficients[1, 0]
+    e, f_conjugate = f.coefficients[1, 0], conjugate(f)
     zero, one = e.re.integer(0), Complex(e.re.integer(1), e.re.integer(0))
     turns = list(accumulate([e] * f.order, mul, initial=one))  # e^n, and e^-n is the conjugate
-    psi, N = Jet(f.order, {(1, 0): one}), Jet(f.order, {(1, 0): e})
+    psi, tau = Jet(f.order, {(1, 0): one}), list[Interval]()
     for d in range(2, f.order + 1):
         low, n = psi.truncated(d), d // 2
-        rest = substituted(low, (f, conjugate(f))) - substituted(N, (low, conjugate(low)))
+        rest = substituted(low, (f, f_conjugate)) - rotated(low, e, tau)
         E = {power: c for power, c in rest.coefficients.items() if sum(power) == d}
         if d % 2:
-            N = N + Jet(f.order, {(n + 1, n): E.pop((n + 1, n), one * 0)})
+            i_tau = E.pop((n + 1, n), one * 0) / e
+            need(i_tau.re.contains_zero(), "a coefficient of the normal form is not imaginary")
+            tau.append(i_tau.im)
         solved = {u: c / (e - turns[u[0]] * turns[u[1]].conjugate()) for u, c in E.items()}
         psi = psi + Jet(f.order, solved)
         if d % 2:
             psi = psi + Jet(f.order, {(n + 1, n): Complex(free_coefficient(psi, n), zero)})
-    return angles([N.coefficients[n + 1, n] for n in range((f.order + 1) // 2)])
-
-
-def angles(c: Sequence[Complex]) -> list[Interval]:
-    """Return tau_1, tau_2, ... from c_0, c_1, ...; a real part that is certainly not 0 rejects."""
-    tau = list[Interval]()
-    for n in range(1, len(c)):
-        rest = c[n] * n
-        for k, tau_k in enumerate(tau, start=1):
-            rest = rest - c[n - k] * Complex(tau_k.integer(0), tau_k * k)
-        i_tau = rest / (c[0] * n)
-        need(i_tau.re.contains_zero(), "a coefficient of the normal form is not imaginary")
-        tau.append(i_tau.im)
     return tau
+
+
+def rotated(psi: Jet[Complex], e: Complex, tau: Sequence[Interval]) -> Jet[Complex]:
+    """Return N o psi for N(w) = e w exp(i (tau_1 |w|^2 + tau_2 |w|^4 + ...))."""
+    zero, one = e.re.integer(0), e.re.integer(1)
+    square, i_angle = psi * conjugate(psi), Jet[Complex](psi.order, {})
+    for power, tau_k in zip(accumulate([square] * len(tau), mul), tau, strict=True):
+        i_angle = i_angle + power * Complex(zero, tau_k)
+    total = term = psi * e
+    for k in range(1, psi.order // 2 + 1):  # later terms have a degree of 2k + 1 at least
+        term = term * i_angle * Complex(one / k, zero)
+        total = total + term
+    return total
 
 
 def free_coefficient(psi: Jet[Complex], n: int) -> Interval:

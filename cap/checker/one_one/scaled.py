@@ -36,19 +36,15 @@ class Scaled(BetweenWalls):
         """R omega^2/F."""
         return self.number(self.R * self.omega**2 / self.p.F)
 
-    def state(self, name: str, claims: dict[str, Any], orbit: Symmetric) -> None:
-        """Compare the claims about a symmetric orbit at t = 0 and at its hits."""
-        omega = self.omega
-        (gap, u), t_1 = orbit.start, orbit.t_1
-        speed, length = self.number(self.p.F / omega), self.number(self.p.F / omega**2)
+    def state(self, orbit: Symmetric) -> dict[str, Any]:
+        """Return the state of a symmetric orbit at t = 0, the times of its hits, and its speeds."""
+        (gap, u), t_1, F, omega = orbit.start, orbit.t_1, self.p.F, self.omega
         times = [t * self.number(1 / omega) for t in (t_1, t_1 + self.pi())]
-        self.compare(f"{name}x", claims["x"], self.number(self.p.r) - gap * length)
-        self.compare(f"{name}v", claims["v"], u * speed)
-        self.compare(f"{name}hit_times", claims["hit_times"], times)
-        self.speeds(name, claims, orbit)
+        x = self.number(self.p.r) - gap * self.number(F / omega**2)
+        start = {"x": x, "v": u * self.number(F / omega), "hit_times": times}
+        return start | self.speeds(orbit)
 
-    def speeds(self, name: str, claims: dict[str, Any], orbit: Symmetric) -> None:
-        """Compare the claims about the speeds."""
+    def speeds(self, orbit: Symmetric) -> dict[str, Any]:
+        """Return the speeds of a symmetric orbit."""
         speed = self.number(self.p.F / self.omega)
-        self.compare(f"{name}hit_speed", claims["hit_speed"], orbit.hit_speed * speed)
-        self.compare(f"{name}least_speed", claims["least_speed"], orbit.slowest * speed)
+        return {"hit_speed": orbit.hit_speed * speed, "least_speed": orbit.slowest * speed}

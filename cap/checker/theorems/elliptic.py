@@ -88,28 +88,23 @@ class Elliptic(NonSticking):
         x, v = orbit.x.box, orbit.v.box
         frame = normal_form.elliptic_frame([[w[1, 0], w[0, 1]] for w in (orbit.x, orbit.v)])
         self.confirm(**rotation(frame, self.pi()))
-        taylor = {"x": self.taylor(orbit.x), "v": self.taylor(orbit.v)}
-        self.confirm(taylor=taylor)
+        self.confirm(taylor={"x": self.taylor(orbit.x), "v": self.taylor(orbit.v)})
         self.step("the Taylor coefficients of Phi at P* contain what is computed")
         tau, *higher = normal_form.twists(normal_form.in_complex_coordinate(x, v, frame))
         self.confirm(twist=tau, twist_action=tau * 2, higher_twists=higher)
         self.step("the normal form exists, preserves area, and has the twists claimed")
-        self.ellipticity()
-        self.remainder(fixed_point)
-
-    def taylor(self, component: Centred) -> dict[str, Interval]:
-        """Return the Taylor coefficients of a component of Phi at P*."""
-        powers = [(i, n - i) for n in range(2, self.orbit_order + 1) for i in range(n + 1)]
-        return {f"{i},{j}": component[i, j] for i, j in powers}
-
-    def ellipticity(self) -> None:
-        """Check what the numbers claimed must satisfy."""
         trace = self.claims["trace"]
         need(trace.lower > -2 and trace.upper < 2, "the trace is not in (-2, 2)")
         confirm_rotation(self.claims)
         self.step("P* is elliptic, without resonance of order at most four")
         confirm_twist(self.claims)
         self.step("the first twist is not zero")
+        self.remainder(fixed_point)
+
+    def taylor(self, component: Centred) -> dict[str, Interval]:
+        """Return the Taylor coefficients of a component of Phi at P*."""
+        powers = [(i, n - i) for n in range(2, self.orbit_order + 1) for i in range(n + 1)]
+        return {f"{i},{j}": component[i, j] for i, j in powers}
 
     def remainder(self, fixed_point: Point) -> None:
         """Prove the bound of what the Taylor polynomial leaves on the disk."""

@@ -40,7 +40,7 @@ not counted is undecided.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
 from itertools import chain, pairwise
@@ -51,7 +51,7 @@ from cap.checker.folded.ahead import Outlook
 from cap.checker.folded.areas import Areas, of_sticks, of_turns
 from cap.checker.folded.basins import Basins
 from cap.checker.folded.masses import Places
-from cap.checker.folded.motion import Direction
+from cap.checker.folded.motion import Direction, Releases
 from cap.checker.folded.numbers import Pair
 from cap.checker.folded.regions import USUAL, Leaf, leaves
 from cap.checker.folded.regions import flights as cost
@@ -68,7 +68,6 @@ from cap.checker.kernel.rejection import need
 from cap.checker.kernel.rounding import in_doubles
 from cap.checker.kernel.shapes import Field, Whole, enclosure, region
 from cap.checker.kernel.theorem import BITS, Certificate
-from cap.checker.release.cited import ENTROPY
 from cap.checker.system.lossy import SYSTEM
 from cap.checker.system.walls import BetweenWalls, Parameters
 
@@ -84,17 +83,6 @@ Map = Callable[..., Sequence[Any]]
 def claimed(name: str) -> Maybe:
     """Return the shape of what may be claimed to attract."""
     return Maybe(Later(lambda: attracting.load(name).CLAIM))
-
-
-def where_claimed(citation: Citation) -> Citation:
-    """Return what is cited for an attractor, if one is claimed."""
-    only, found = "only where ", list[dict[str, Any]]()
-    for known in citation["hypotheses"]:
-        statement, by = known["statement"], [f"attractor.{name}" for name in known["by"]]
-        link = " and " if statement.startswith(only) else ": "
-        statement = f"{only}`attractor` is claimed{link}{statement.removeprefix(only)}"
-        found.append({**known, "statement": statement, "by": by})
-    return citation | {"hypotheses": found}
 
 
 class Mixed(BetweenWalls):
@@ -137,8 +125,13 @@ class Mixed(BetweenWalls):
               "themselves, and contracts in this norm"),
         Field("segment", claimed("segment"), "", "", "as for the theorem segment"),
     )
-    CITES = tuple(map(where_claimed, ENTROPY))
     # fmt: on
+
+    @classmethod
+    def cited(cls, claims: Container[str]) -> list[Citation]:
+        """Return what is cited of what attracts."""
+        kinds = map(attracting.load, filter(claims.__contains__, attracting.NAMES))
+        return [citation for kind in kinds for citation in kind.CITES]
 
     @classmethod
     def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
@@ -188,10 +181,10 @@ class Mixed(BetweenWalls):
         y, V = Direction(self.p), below(self.region()[1])
         for side, name in SIDES.items():
             areas = partial(of_sticks, y, places, V, side)
-            yield from work(areas, self.sticks(y, side), BACK.format(name), Leaf.work)
+            yield from work(areas, self.leaves(y, name), BACK.format(name), Leaf.work)
         self.step("the states are counted that stick at their first stop")
         areas = partial(of_turns, y, self.outlook(places), V)
-        yield from work(areas, self.turns(y), TURNS, Leaf.work)
+        yield from work(areas, self.leaves(y, "turns"), TURNS, Leaf.work)
         self.step("the states are counted that turn at their first stop")
 
     def parts(self, counted: Iterable[Areas]) -> tuple[Fraction, ...]:
@@ -216,7 +209,7 @@ class Mixed(BetweenWalls):
     def places(self, work: Map) -> Places:
         """Return what is known of all distances to the wall ahead."""
         hints, width = self.hints["places"], self.scale.width()
-        step = partial(followed, self.p, self.basins(), width)
+        step = partial(followed, Releases(self.p), self.basins(), width)
         parts = work(step, nodes(hints["tree"]), PLACES, lambda _node: _PLACE)
         pieces = [piece for found in parts for piece in found]
         return Places(self.kept(), width, hints["level"], pieces)
@@ -234,13 +227,9 @@ class Mixed(BetweenWalls):
         """Return W and V of the box, in the units of the flow."""
         return self.scale.length(self.R), self.scale.speed(self.claims["box"]["v"].upper)
 
-    def sticks(self, y: Direction, side: int) -> Iterator[Leaf]:
-        """Give the regions of late or early sticks."""
-        return leaves(self.hints["stops"][SIDES[side]], all_stops(y))
-
-    def turns(self, y: Direction) -> Iterator[Leaf]:
-        """Give the regions of turns, with their parts."""
-        return leaves(self.hints["stops"]["turns"], all_stops(y), parted=True)
+    def leaves(self, y: Direction, name: str) -> Iterator[Leaf]:
+        """Give the regions of stops of a kind; of turns with their parts."""
+        return leaves(self.hints["stops"][name], all_stops(y), parted=name == "turns")
 
     def outlook(self, places: Places) -> Outlook:
         """Return what tells what becomes of turns."""
@@ -267,7 +256,6 @@ class Mixed(BetweenWalls):
     def words(self) -> str:
         """Return the theorem in one line."""
         V, part = self.claims["box"]["v"].upper, self.claims["shares"]
-        losses = {"e": "1", "mu": "0"}
         fates = [*self.attracted(), *self.to_the_segment()]
         return self.told(
             SYSTEM + _WORDS,
@@ -277,7 +265,6 @@ class Mixed(BetweenWalls):
             fates="".join(f"{fate}; " for fate in fates),
             included=", these included" if fates else "",
             area_0=self.claims["never_stopping_area"].text[1],
-            **losses,
         )
 
     def attracted(self) -> Iterator[str]:

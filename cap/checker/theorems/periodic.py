@@ -43,7 +43,7 @@ from cap.checker.flow.events import (
     turning_factor,
 )
 from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap
-from cap.checker.kernel.choices import OneOrOther
+from cap.checker.kernel.alternatives import OneOrOther
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, RealJet, lift
 from cap.checker.kernel.optional import Maybe

@@ -66,7 +66,7 @@ class Pitchfork(Scaled):
             raise Rejected("R omega^2/F is not below (pi^2 - 4)/2: no pair is born")
         alpha = friction(c)
         self.confirm(f=alpha * F)
-        self.state("", self.claims, Symmetric(alpha, self.rho, c))
+        self.confirm(**self.state(Symmetric(alpha, self.rho, c)))
         need(self.claims["least_speed"].lower > 0, "the least speed is not positive")
         self.step("the symmetric orbit is genuine where the pair is born")
         bend, cubic = -self.pi().square() / 4 * alpha / c, self.cubic(c)

@@ -72,11 +72,11 @@ class SymmetricOrbits(Scaled):
     def prove(self) -> None:
         """Prove the theorem."""
         need(self.p.f > 0, "0 < f does not hold")
-        limit = self.pi().integer(2) / self.pi()
+        limit = self.number(2) / self.pi()
         below = self.alpha.is_before(limit)
         need(below or limit.is_before(self.alpha), "f may be 2F/pi")
         for name, sign in (("plus", 1), ("minus", -1)):
-            self.branch(name, sign, exists=below)
+            self.branch(name, Symmetric.of(self.alpha, self.rho, sign) if below else None)
         self.bifurcations(limit)
         self.paper()
 
@@ -85,48 +85,40 @@ class SymmetricOrbits(Scaled):
         """f/F."""
         return self.number(self.p.f / self.p.F)
 
-    def branch(self, name: str, sign: int, *, exists: bool) -> None:
-        """Prove what is claimed about the orbit with this sign of c."""
-        claims, where = self.claims["branches"][name], f"branches.{name}."
-        orbit = Symmetric.of(self.alpha, self.rho, sign) if exists else None
+    def branch(self, name: str, orbit: Symmetric | None) -> None:
+        """Prove what is claimed about the orbit of the formula; None if there is no such orbit."""
+        claims, where = self.claims["branches"][name], f"branches.{name}"
         if orbit is None or (-orbit.hit_speed).is_positive():
-            need(claims is None, f"{where} a hit speed is not positive: there is no orbit")
+            need(claims is None, f"{where}: a hit speed is not positive: there is no orbit")
             self.step(f"there is no orbit '{name}'")
             return
-        need(orbit.hit_speed.is_positive(), f"{where} the sign of the hit speed is not decided")
-        need(claims is not None, f"{where} the formula gives an orbit")
-        if claims["genuine"] == "no":
-            self.speeds(where, claims, orbit)
-            need(claims["least_speed"].upper < 0, f"{where}least_speed is not negative")
-            self.step(f"the orbit '{name}' of the formula is not genuine")
-            return
-        self.state(where, claims, orbit)
-        half = -orbit.k + 2
-        self.compare(f"{where}half_trace", claims["half_trace"], half)
-        self.compare(f"{where}trace", claims["trace"], half.square() - 2)
-        need(claims["least_speed"].lower > 0, f"{where}least_speed is not positive")
-        self.kind(where, claims)
-        self.step(f"the orbit '{name}' is genuine: {claims['type']}")
-
-    def kind(self, where: str, claims: dict[str, Any]) -> None:
-        """Check that the trace claimed has the type claimed."""
-        trace = claims["trace"]
-        if claims["type"] == "elliptic":
-            need(trace.lower > -2 and trace.upper < 2, f"{where}trace is not in (-2, 2)")
+        need(orbit.hit_speed.is_positive(), f"{where}: the sign of the hit speed is not decided")
+        need(claims is not None, f"{where}: the formula gives an orbit")
+        genuine, slow = claims["genuine"] == "yes", claims["least_speed"]
+        for quantity, value in (self.linear(orbit) if genuine else self.speeds(orbit)).items():
+            self.compare(f"{where}.{quantity}", claims[quantity], value)
+        if genuine:
+            need(slow.lower > 0, f"{where}.least_speed is not positive")
+            low, high = claims["trace"][:2]
+            types = {"elliptic": low > -2 and high < 2, "saddle": low > 2 or high < -2}
+            need(types[claims["type"]], f"{where}.trace is not that of the type claimed")
+            self.step(f"the orbit '{name}' is genuine: {claims['type']}")
         else:
-            outside = trace.lower > 2 or trace.upper < -2
-            need(outside, f"{where}trace does not exclude [-2, 2]")
+            need(slow.upper < 0, f"{where}.least_speed is not negative")
+            self.step(f"the orbit '{name}' of the formula is not genuine")
+
+    def linear(self, orbit: Symmetric) -> dict[str, Any]:
+        """Return what is claimed of a genuine orbit: its state, its speeds, and its linear part."""
+        half = -orbit.k + 2
+        return self.state(orbit) | {"half_trace": half, "trace": half.square() - 2}
 
     def bifurcations(self, limit: Interval) -> None:
         """Compare the values of f at which the type changes."""
-        F = self.number(self.p.F)
+        F, at = self.number(self.p.F), {"pitchfork": birth, "minus_identity": half_turn}
         self.confirm(saddle_center=F * limit)
-        for name, c in (
-            ("pitchfork", birth(self.rho)),
-            ("minus_identity", half_turn(self.rho)),
-        ):
-            claim = self.claims[name]
-            need((c is None) == (claim is None), f"{name} exists, or not, against the claim")
+        for name, c in ((name, find(self.rho)) for name, find in at.items()):
+            agree = (c is None) == (self.claims[name] is None)
+            need(agree, f"{name} exists, or not, against the claim")
             if c is not None:
                 self.confirm(**{name: F * friction(c)})
         self.step("the values of f at which the symmetric orbits change contain what is computed")
@@ -139,17 +131,16 @@ class SymmetricOrbits(Scaled):
         need(decided, "the number of roots of the paper's equation is not decided")
         expected = 2 if high.is_positive() and not low.is_positive() else 0
         need(len(roots) == expected, f"the paper's equation has {expected} roots")
-        first = [self.root(claim["theta"]) for claim in roots[:1]]
-        found = [*first, *(whole - theta for theta in first)]
-        for n, (claim, theta) in enumerate(zip(roots, found, strict=True)):
-            late = cos_sin(theta)[1] + self.alpha * (whole - theta)
-            velocity = -late * self.number(self.p.F / self.omega)
-            where = f"paper_roots[{n}]"
-            inside = self.number(claim["theta"].upper).is_before(whole)
-            need(inside, f"{where}.theta is not in its half of (0, pi)")
-            self.compare(where, claim, {"theta": theta, "velocity": velocity})
-            need(claim["velocity"].upper < 0, f"{where}.velocity is not negative")
+        if roots:
+            first = self.root(roots[0]["theta"])
+            found = [{"theta": t, "velocity": self.velocity(t)} for t in (first, whole - first)]
+            self.confirm(paper_roots=found)
         self.step(f"the paper's equation has {expected} roots, and none gives a solution")
+
+    def velocity(self, theta: Interval) -> Interval:
+        """Return v(T/2-) by the paper's formula."""
+        speed = cos_sin(theta)[1] + self.alpha * (self.pi() - theta)
+        return -speed * self.number(self.p.F / self.omega)
 
     def root(self, claim: Enclosure) -> Interval:
         """Return an enclosure of the root in (0, pi/2), which must lie in the claim."""

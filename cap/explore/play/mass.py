@@ -43,9 +43,33 @@ class Moving:
     def move(self, seconds: float) -> None:
         """Let it move on, by so much of the time of the one who looks."""
 
-    @abstractmethod
     def shown(self) -> UIElement:
         """Return what is shown of it."""
+        return column([self._in_space, self.moves, self._in_time, self.told])
+
+    def _drawn(self, in_time: Any, now: ColumnDataSource, y: str, *, space: Any) -> None:
+        """Keep both figures, with where it is now, and the legend above."""
+        in_time.scatter("t", y, source=now, color=RED, size=10, alpha=0.6)
+        in_time.legend.orientation, in_time.legend.label_text_font_size = "horizontal", "9px"
+        in_time.legend.padding = in_time.legend.spacing = 2
+        in_time.add_layout(in_time.legend[0], "above")
+        space.toolbar.logo = None
+        space.yaxis.visible = space.ygrid.visible = False
+        space.scatter(y, 0.0, source=now, marker="square", size=22, color=BLUE)
+        self._in_time, self._in_space = in_time, space
+
+
+def over_time(height: int, x: str, y: str, title: str) -> Any:
+    """Return a figure over the time."""
+    return figure(
+        height=height,
+        width=480,
+        x_axis_label=x,
+        y_axis_label=y,
+        tools="pan,wheel_zoom,box_zoom,reset,save",
+        title=title,
+        name="in-time",
+    )
 
 
 class Mass(Moving):
@@ -55,10 +79,10 @@ class Mass(Moving):
         super().__init__()
         self._orbit: Trajectory | None = None
         self._line = ColumnDataSource({"t": [], "x": []})
-        self._now = ColumnDataSource({"t": [0.0], "x": [0.0], "y": [0.0]}, name="mass")
+        self._now = ColumnDataSource({"t": [0.0], "x": [0.0]}, name="mass")
         self._events = {kind: ColumnDataSource(dict(NO_EVENTS)) for kind in MARKS}
         self._walls = ColumnDataSource({"x": [0.0, 0.0]})
-        self._in_time, self._in_space = self._time(), self._space()
+        self._drawn(self._time(), self._now, "x", space=self._space())
 
     def show(self, p: Parameters, state: State) -> None:
         """Show the orbit of a state."""
@@ -84,21 +108,11 @@ class Mass(Moving):
             return
         self._phase = (self._phase + seconds / LASTS) % PERIODS
         x = float(np.interp(self._phase * orbit.period, orbit.t, orbit.x))
-        self._now.data = {"t": [self._phase], "x": [x], "y": [0.0]}
-
-    def shown(self) -> UIElement:
-        """Return what is shown of it."""
-        return column([self._in_space, self.moves, self._in_time, self.told])
+        self._now.data = {"t": [self._phase], "x": [x]}
 
     def _time(self) -> Any:
-        shown = figure(
-            height=210,
-            width=480,
-            x_axis_label="time t/T  [forcing periods]",
-            y_axis_label="position x  [length]",
-            tools="pan,wheel_zoom,box_zoom,reset,save",
-            title="Position and events",
-            name="in-time",
+        shown = over_time(
+            210, "time t/T  [forcing periods]", "position x  [length]", "Position and events"
         )
         shown.line("t", "x", source=self._line, color=BLACK, width=1.2)
         for kind, (marker, colour) in MARKS.items():
@@ -106,20 +120,13 @@ class Mass(Moving):
                 "t", "x", source=self._events[kind], marker=marker, color=colour, size=8,
                 legend_label=kind,
             )  # fmt: skip
-        shown.scatter("t", "x", source=self._now, color=RED, size=10, alpha=0.6)
-        shown.legend.orientation, shown.legend.label_text_font_size = "horizontal", "9px"
-        shown.legend.padding = shown.legend.spacing = 2
-        shown.add_layout(shown.legend[0], "above")
         return shown
 
     def _space(self) -> Any:
         shown = figure(
             height=100, width=480, y_range=(-1, 1), tools="", title="The mass between its walls"
         )
-        shown.toolbar.logo = None
-        shown.yaxis.visible = shown.ygrid.visible = False
         shown.add_layout(Span(location=-0.35, dimension="width", line_color="#777777"))
         shown.rect(x="x", y=0.2, width=8, height=1.4, width_units="screen", source=self._walls,
                    color="#777777")  # fmt: skip
-        shown.scatter("x", 0.0, source=self._now, marker="square", size=22, color=BLUE)
         return shown

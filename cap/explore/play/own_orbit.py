@@ -1,19 +1,19 @@
 """The orbit of a state of a model: its position in time, its events, and walls that may move."""
 
+from typing import Any
+
 import numpy as np
-from bokeh.layouts import column
-from bokeh.models import ColumnDataSource, UIElement
+from bokeh.models import ColumnDataSource
 from bokeh.plotting import figure
 
 from cap.errors import BadInput
-from cap.explore.play.mass import Moving
+from cap.explore.play.mass import LASTS, PERIODS, Moving, over_time
 from cap.explore.play.own_sea import own_state
 from cap.floats.findings import State
 from cap.floats.models.subject import Subject
 from cap.floats.models.trajectory import ModelOrbit, orbit
-from cap.pictures.style import BLACK, BLUE, CYCLE, RED
+from cap.pictures.style import BLACK, CYCLE
 
-PERIODS, LASTS = 4, 3.0  # shown; seconds that a period takes
 MARKERS = "circle", "triangle", "square", "diamond", "star", "hex"
 
 
@@ -26,10 +26,10 @@ class OwnOrbit(Moving):
         self._at = subject.system.state.index(subject.plane()[0])
         self._line = ColumnDataSource({"t": [], "z": []})
         self._walls = ColumnDataSource({"t": [], "z": []})
-        self._now = ColumnDataSource({"t": [0.0], "z": [0.0], "zero": [0.0]}, name="mass")
-        self._beside = ColumnDataSource({"z": [], "zero": []})
+        self._now = ColumnDataSource({"t": [0.0], "z": [0.0]}, name="mass")
+        self._beside = ColumnDataSource({"z": []})
         self._events = ColumnDataSource({"t": [], "z": [], "marker": [], "colour": [], "word": []})
-        self._in_time, self._in_space = self._time(subject), self._space(subject)
+        self._drawn(self._time(subject), self._now, "z", space=self._space(subject))
 
     def show(self, subject: Subject, state: State) -> None:
         """Show the orbit of a state."""
@@ -74,40 +74,27 @@ class OwnOrbit(Moving):
         self._phase = (self._phase + seconds / LASTS) % PERIODS
         now = self._phase * found.period
         z = float(np.interp(now, found.t, found.states[:, self._at]))
-        self._now.data = {"t": [self._phase], "z": [z], "zero": [0.0]}
+        self._now.data = {"t": [self._phase], "z": [z]}
         places = [float(np.interp(self._phase, t, wall)) for t, wall in
                   zip(self._walls.data["t"], self._walls.data["z"], strict=True)]  # fmt: skip
-        self._beside.data = {"z": places, "zero": [0.0 for _ in places]}
+        self._beside.data = {"z": places}
 
-    def shown(self) -> UIElement:
-        """Return what is shown of it."""
-        return column([self._in_space, self.moves, self._in_time, self.told])
-
-    def _time(self, subject: Subject) -> figure:
-        shown = figure(
-            height=250,
-            width=480,
-            x_axis_label="time t/T  [periods of the clock]",
-            y_axis_label=subject.plane()[0],
-            tools="pan,wheel_zoom,box_zoom,reset,save",
-            title="In time, with its events and what it can meet",
-            name="in-time",
+    def _time(self, subject: Subject) -> Any:
+        shown = over_time(
+            250,
+            "time t/T  [periods of the clock]",
+            subject.plane()[0],
+            "In time, with its events and what it can meet",
         )
         shown.multi_line("t", "z", source=self._walls, color="#777777", width=1.5)
         shown.line("t", "z", source=self._line, color=BLACK, width=1.2)
         shown.scatter("t", "z", source=self._events, marker="marker", color="colour", size=8,
                       legend_field="word")  # fmt: skip
-        shown.scatter("t", "z", source=self._now, color=RED, size=10, alpha=0.6)
-        shown.legend.orientation, shown.legend.label_text_font_size = "horizontal", "9px"
-        shown.add_layout(shown.legend[0], "above")
         return shown
 
-    def _space(self, subject: Subject) -> figure:
+    def _space(self, subject: Subject) -> Any:
         shown = figure(height=100, width=480, x_range=(-1, 1), y_range=(-1, 1), tools="",
                        title=f"{subject.plane()[0]} now, and what it can meet")  # fmt: skip
-        shown.toolbar.logo = None
-        shown.yaxis.visible = shown.ygrid.visible = False
-        shown.rect(x="z", y="zero", width=8, height=1.6, width_units="screen",
+        shown.rect(x="z", y=0.0, width=8, height=1.6, width_units="screen",
                    source=self._beside, color="#777777")  # fmt: skip
-        shown.scatter("z", "zero", source=self._now, marker="square", size=22, color=BLUE)
         return shown

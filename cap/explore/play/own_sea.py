@@ -67,16 +67,11 @@ class OwnSea(Raster):
         x, y = self.ends[0].states[0][self.order].tolist()
         return x, y
 
-    def marks(self) -> tuple[list[float], list[float], list[str]]:
-        """Return the states of the cycles that attract, and their colours."""
-        x, y, colour = [], [], []
+    def cycles(self) -> Iterator[tuple[Floats, str]]:
+        """Give the states of each cycle that attracts, and its colour."""
         for k, end in enumerate(self.ends):
             if end.kind.startswith("period"):
-                for state in end.states[:, self.order].tolist():
-                    x.append(state[0])
-                    y.append(state[1])
-                    colour.append(PALETTE[_colour(end, k)])
-        return x, y, colour
+                yield end.states[:, self.order], PALETTE[_colour(end, k)]
 
 
 def order(subject: Subject) -> list[int]:

@@ -70,8 +70,13 @@ class Raster:
         """The state whose orbit is shown first."""
 
     @abstractmethod
+    def cycles(self) -> Iterator[tuple[Floats, str]]:
+        """Give the states of each cycle that attracts, and its colour."""
+
     def marks(self) -> tuple[list[float], list[float], list[str]]:
         """Return the states of the cycles that attract, and their colours."""
+        every = [(*state, colour) for states, colour in self.cycles() for state in states.tolist()]
+        return [x for x, _, _ in every], [y for _, y, _ in every], [colour for *_, colour in every]
 
     def _mark(self, states: Floats) -> None:
         """Colour the pixels of states (N, K, 2); what is outside the box is left out."""
@@ -118,16 +123,11 @@ class Sea(Raster):
         x, v = self.ends[0].states[0].tolist()
         return x, v
 
-    def marks(self) -> tuple[list[float], list[float], list[str]]:
-        """Return x, v and colour of the states of the cycles that attract."""
-        x, v, colour = [], [], []
+    def cycles(self) -> Iterator[tuple[Floats, str]]:
+        """Give the states of each cycle that attracts, and its colour."""
         for k, end in enumerate(self.ends):
             if end.period:
-                for state in end.states.tolist():
-                    x.append(state[0])
-                    v.append(state[1])
-                    colour.append(PALETTE[_colour_of_end(end, k)])
-        return x, v, colour
+                yield end.states, PALETTE[_colour_of_end(end, k)]
 
 
 def _seeds(p: Parameters, box: Box, centre: State | None) -> Floats:

@@ -1,18 +1,20 @@
-"""The flow over one period in floats, for orbits whose velocity never vanishes.
+"""The hits of a lifted orbit in floats, from which Newton's method for hit times begins.
 
-No event is looked for with a time step.  On a flight of sign s the speed s v is monotone between
-the two times in a period at which the acceleration vanishes (cos ωt = s f/F), which brackets the
-zeros of v; between them x is monotone, which brackets the wall hits.
+A lifted flight goes on with the sign that it has, as if friction did not notice that the velocity
+vanishes; an orbit that never stops is its own lift.  No event is looked for with a time step.  On a
+flight of sign s the speed s v is monotone between the two times in a period at which the
+acceleration vanishes (cos ωt = s f/F), which brackets the zeros of v; between them x is monotone,
+which brackets the wall hits.  Orbits with all their events: `cap.flow.itinerary`, of many at once
+`cap.floats.engine.swarm`.
 """
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
 from cap.errors import BadInput
 from cap.flow.itinerary import root
-from cap.flow.model import Flight, Moment, Oscillator
+from cap.flow.model import Flight, Oscillator
 from cap.sets.matrix import Matrix
 
 TOO_MANY_HITS = (
@@ -21,57 +23,34 @@ TOO_MANY_HITS = (
 
 
 class Turns(Exception):
-    """The velocity vanishes at ``time``; from there on the orbit may turn, stick or be captured."""
+    """A wall is hit at ``time`` with the speed 0: there is no derivative."""
 
     def __init__(self, time: float) -> None:
         self.time = time
         super().__init__(f"the orbit turns at t = {time:.6g}")
 
 
-@dataclass(frozen=True, slots=True)
-class Orbit:
-    """One period of an orbit: wall hits in (0, T], the velocities just before them, the end.
+def hit_times(o: Oscillator[float], x: float, v: float) -> tuple[float, ...]:
+    """Return the times in (0, T] at which the lifted orbit of (x, v) at t = 0 hits a wall.
 
-    ``end`` is (x, v) at t = T, ``monodromy`` its derivative in the state at t = 0, ``least_speed``
-    the minimum of the speed s v over [0, T].
-    """
-
-    hit_times: tuple[float, ...]
-    hit_velocities: tuple[float, ...]
-    end: tuple[float, float]
-    monodromy: Matrix[float]
-    least_speed: float
-
-
-def one_period(o: Oscillator[float], x: float, v: float, *, formal: bool = False) -> Orbit:
-    """Follow the orbit of (x, v) from t = 0 to t = T.
-
-    Raises `Turns` where the velocity first vanishes.  With ``formal`` the flight goes on with the
-    sign that it has, as if friction did not notice: the lifted orbit, on which Newton's method for
-    a periodic orbit may start, and whose ``least_speed`` may then be negative.  Where it hits a
-    wall with speed 0, though, even that ends with `Turns`: there is no derivative.
-    Raises `BadInput` unless l < x < r, v is finite and not 0, and the hits are fewer than
-    `TOO_MANY_HITS`.
+    Raises `Turns`, and `BadInput` unless l < x < r, v is finite and not 0, and the hits are fewer
+    than `TOO_MANY_HITS`.
     """
     _check(o, x, v)
-    flight, t, least = o.launch(1 if v > 0 else -1, o.moment(0.0), x, v), 0.0, abs(v)
-    hits: list[tuple[float, float]] = []
-    while (hit := _next_hit(o, flight, t, formal=formal)) is not None:
+    flight, t = o.launch(1 if v > 0 else -1, o.moment(0.0), x, v), 0.0
+    hits: list[float] = []
+    while (hit := _next_hit(o, flight, t)) is not None:
         if len(hits) == TOO_MANY_HITS:
             raise BadInput(
                 f"more than {TOO_MANY_HITS} wall hits in one period: v = {v!r} is too fast"
             )
-        least = min(least, _least_speed(o, flight, t, hit))
         moment = o.moment(hit)
-        hits.append((hit, velocity := o.velocity(flight, moment)))
+        velocity = o.velocity(flight, moment)
         if velocity == 0:
             raise Turns(hit)
+        hits.append(hit)
         flight, t = o.reflect(flight, moment, velocity), hit
-    least = min(least, _least_speed(o, flight, t, o.T))
-    times, velocities = tuple(t for t, _ in hits), tuple(v for _, v in hits)
-    last = Moment(o.T, 0.0, 1.0)
-    end = o.position(flight, last), o.velocity(flight, last)
-    return Orbit(times, velocities, end, monodromy(o, hits), least)
+    return tuple(hits)
 
 
 def monodromy(o: Oscillator[float], hits: Sequence[tuple[float, float]]) -> Matrix[float]:
@@ -110,12 +89,6 @@ def _excess(o: Oscillator[float], flight: Flight[float], t: float) -> tuple[floa
     return flight.s * beyond, flight.s * o.velocity(flight, moment)
 
 
-def _least_speed(o: Oscillator[float], flight: Flight[float], a: float, b: float) -> float:
-    slow = o.slow(flight.s, 0)
-    ends = min(_speed(o, flight, a)[0], _speed(o, flight, b)[0])
-    return min(ends, flight.s * o.velocity(flight, slow)) if a < slow.t < b else ends
-
-
 def _turnings(o: Oscillator[float], flight: Flight[float], a: float, b: float) -> list[float]:
     """Return the zeros in (a, b) of the velocity: at most one between zeros of the acceleration."""
     slow = o.slow(flight.s, 0).t
@@ -127,14 +100,9 @@ def _turnings(o: Oscillator[float], flight: Flight[float], a: float, b: float) -
     ]
 
 
-def _next_hit(
-    o: Oscillator[float], flight: Flight[float], start: float, *, formal: bool
-) -> float | None:
+def _next_hit(o: Oscillator[float], flight: Flight[float], start: float) -> float | None:
     """Return the first time in (start, T] at which the wall ahead is hit, or None."""
-    turnings = _turnings(o, flight, start, o.T)
-    for p, q in pairwise([start, *turnings, o.T]):
+    for p, q in pairwise([start, *_turnings(o, flight, start, o.T), o.T]):
         if _excess(o, flight, q)[0] >= 0:
             return root(lambda t: _excess(o, flight, t), p, q)
-        if turnings and not formal:
-            raise Turns(turnings[0])
     return None

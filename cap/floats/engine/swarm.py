@@ -2,7 +2,9 @@
 
 The float counterpart of `cap.flow.strobe` for pictures, diagnostics and search: basins, portraits,
 Lyapunov exponents, SALI.  No event is looked for with a time step: see `cap.floats.engine.events`,
-which is compiled by numba.
+which is compiled by numba.  `cap.floats.models.engine` follows any system; of this one it has 0.65
+of the speed (`benchmarks/bench_swarm.py`), and no parts of periods: so it is written out here, and
+a test compares the two.
 
 ``grazing`` says where rounding may have chosen between two itineraries: the speed and the force
 that is left, |a| - f, vanish together, or the speed vanishes at one of its minima or at a wall, up

@@ -16,6 +16,7 @@ from cap.floats.findings import Floats
 from cap.floats.masses.mass_swarm import KINDS, Ends, Seeds, swarm
 from cap.floats.masses.masses import OfMasses, drawn, system_of
 from cap.floats.masses.particles import Particles
+from cap.floats.models.samples import least
 from cap.parameters import Parameters
 from cap.runner import Runner
 
@@ -127,12 +128,12 @@ def _key(system: Particles, ends: Ends, k: int) -> Key:
         return NEVER, 0, ()
     states, p = ends.states[k], system.parameters
     units = np.repeat([float(p.R), float(p.R * p.omega)], states.shape[1] // 2)
-    for q in range(1, LONGEST + 1):
-        if (np.abs(states[q:] - states[:-q])[-LONGEST:] < CLOSE * units).all():
-            counts = ends.counts[k, -q:].sum(axis=0)
-            kind = f"period {q} T seen" if counts[:2].any() else SLIDING
-            return kind, q, tuple(counts.tolist())
-    return APERIODIC, 0, ()
+    q = least(states / units, LONGEST, CLOSE)
+    if not q:
+        return APERIODIC, 0, ()
+    counts = ends.counts[k, -q:].sum(axis=0)
+    kind = f"period {q} T seen" if counts[:2].any() else SLIDING
+    return kind, q, tuple(counts.tolist())
 
 
 def _attractor(ends: Ends, key: Key, orbits: list[int]) -> MassAttractor:

@@ -1,19 +1,18 @@
 """Many orbits of N masses, once in a period: in processes, in pieces."""
 
-from collections import Counter
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cap.errors import BadInput
 from cap.floats.findings import Floats
-from cap.floats.masses.particle_orbits import period
-from cap.floats.masses.particles import Particles, Unresolved, follow
+from cap.floats.masses.particles import Particles, engine, mode, told
+from cap.floats.models.closing import logged
 from cap.runner import Runner
 
-PIECE = 200  # periods at a time
+PIECE = 4000  # periods at a time
 KINDS = ("hit", "meet", "turn", "stick", "release")
+STOPS = slice(KINDS.index("turn"), len(KINDS))
 
 
 @dataclass(frozen=True)
@@ -31,7 +30,7 @@ class Ends:
 
 @dataclass(frozen=True)
 class Seeds:
-    """Follows a seed for some periods, and keeps the last ``kept`` + 1 states (None: all)."""
+    """Follows seeds for some periods, and keeps the last ``kept`` + 1 states (None: all)."""
 
     system: Particles
     periods: int
@@ -42,33 +41,42 @@ class Seeds:
         """How many periods are kept."""
         return self.periods if self.kept is None else self.kept
 
+    def none(self, count: int) -> Ends:
+        """Return the ends of so many seeds that are not followed."""
+        shape = count, self.shown
+        return Ends(
+            np.full((count, self.shown + 1, 2 * len(self.system.masses)), np.nan),
+            np.zeros((*shape, len(KINDS)), dtype=np.int64),
+            np.zeros(shape, dtype=np.bool_),
+        )
+
     def __call__(self, seeds: Floats) -> Ends:
         """Return the ends of some seeds (M, 2N)."""
-        parts = [self.one(seed) for seed in seeds]
-        return Ends(*(np.array(each) for each in zip(*parts, strict=True)))
+        flow, found, n = engine(self.system), self.none(len(seeds)), len(self.system.masses)
+        kinds, rests = _kinds(flow.words, flow.modes), np.array(["0" in m for m in flow.modes])
+        states, at = seeds, np.array([flow.modes.index(mode(self.system, z[n:])) for z in seeds])
+        skipped = self.periods - self.shown
+        if not skipped:
+            found.states[:, 0] = states
+        for k in range(1 - skipped, self.shown + 1):
+            alive = np.flatnonzero(np.isfinite(states).all(axis=1))
+            ends = logged(flow, states[alive], at[alive], 1)
+            states, at = np.full_like(seeds, np.nan), at.copy()
+            states[alive], at[alive] = ends.states, ends.modes
+            if k >= 0:
+                found.states[:, k] = states
+            if k > 0:
+                orbit, word, to = ends.log[:, [0, 2, 3]].astype(int).T
+                np.add.at(found.counts[:, k - 1], (alive[orbit], kinds[word, to]), 1)
+                stops = found.counts[:, k - 1, STOPS].any(axis=1)
+                found.stopped[:, k - 1] = rests[at] | stops
+        return found
 
-    def one(self, seed: Floats) -> tuple[Floats, NDArray[np.int64], NDArray[np.bool_]]:
-        """Return the states, counts and stops of one seed."""
-        n, T, skipped = len(self.system.masses), period(self.system), self.periods - self.shown
-        states = np.full((self.shown + 1, 2 * n), np.nan)
-        counts = np.zeros((self.shown, len(KINDS)), dtype=np.int64)
-        stopped = np.zeros(self.shown, dtype=np.bool_)
-        z = seed
-        for k in range(-skipped, self.shown + 1):
-            if k >= 0:
-                states[k] = z
-            if k == self.shown:
-                break
-            try:  # the time begins anew in each period: it is periodic
-                path = follow(self.system, z[:n].tolist(), z[n:].tolist(), T)
-            except (BadInput, Unresolved):
-                break
-            z = np.array([*path.x, *path.v])
-            if k >= 0:
-                found = Counter(word.split()[0] for word in path.words)
-                counts[k] = [found[kind] for kind in KINDS]
-                stopped[k] = path.least_speed == 0
-        return states, counts, stopped
+
+def _kinds(words: tuple[str, ...], modes: tuple[str, ...]) -> NDArray[np.int64]:
+    """Return the place in `KINDS` of each event that leads to each mode."""
+    real = [word for word in words if word != "capture"]
+    return np.array([[KINDS.index(told(word, m).split()[0]) for m in modes] for word in real])
 
 
 def swarm(seeds: Seeds, starts: Floats, runner: Runner, words: str) -> Ends:
@@ -76,14 +84,7 @@ def swarm(seeds: Seeds, starts: Floats, runner: Runner, words: str) -> Ends:
     size = max(1, PIECE // seeds.periods)
     pieces = [starts[k : k + size] for k in range(0, len(starts), size)]
     done = runner.map(seeds, pieces, words, processes=True)
-    missing = len(starts) - sum(len(part.states) for part in done)
-    shape = missing, seeds.shown
-    none = Ends(
-        np.full((missing, seeds.shown + 1, starts.shape[1]), np.nan),
-        np.zeros((*shape, len(KINDS)), dtype=np.int64),
-        np.zeros(shape, dtype=np.bool_),
-    )
-    parts = [*done, none]
+    parts = [*done, seeds.none(len(starts) - sum(len(part.states) for part in done))]
     return Ends(
         np.concatenate([part.states for part in parts]),
         np.concatenate([part.counts for part in parts]),

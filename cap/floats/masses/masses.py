@@ -12,13 +12,12 @@ from cap.floats.masses.particle_orbits import (
     NotFound,
     fixed_point,
     from_equal_masses,
-    period,
 )
 from cap.floats.masses.particles import Particles, Unresolved, follow
 from cap.floats.words import described, short
 from cap.parameters import Parameters
+from cap.system.masses import MOST
 
-MOST = 8  # masses
 NEAR = 1e-2  # of R and Rω: a periodic orbit so near a state is meant
 
 
@@ -70,7 +69,7 @@ def checked(system: Particles, state: tuple[float, ...]) -> tuple[Floats, Floats
         raise BadInput(f"--state needs {2 * n} numbers: {n} positions, then {n} velocities")
     x, v = np.array(state[:n]), np.array(state[n:])
     try:
-        follow(system, x.tolist(), v.tolist(), 1e-3 * period(system))
+        follow(system, x.tolist(), v.tolist(), 1e-3 * system.period)
     except Unresolved as reason:
         raise BadInput(f"the orbit cannot be followed: {reason}") from None
     return x, v

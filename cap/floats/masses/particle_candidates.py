@@ -7,7 +7,7 @@ from fractions import Fraction
 from cap.errors import BadInput
 from cap.floats.masses.masses import drawn
 from cap.floats.masses.particle_limits import limits
-from cap.floats.masses.particle_orbits import Continued, NotFound, from_equal_masses, period
+from cap.floats.masses.particle_orbits import Continued, NotFound, from_equal_masses
 from cap.floats.masses.particles import Particles, Path, Unresolved, follow
 from cap.floats.search.request import Candidate, Found, Request
 from cap.maps.fixed_point import Start
@@ -81,7 +81,7 @@ def _settled(
     system: Particles, state: tuple[float, ...]
 ) -> tuple[int, tuple[float, ...], Path] | str:
     """Return the period, a state and the path of the orbit on which a state ends, or why not."""
-    T = period(system)
+    T = system.period
     try:
         for _ in range(SETTLING):
             path = follow(system, state[:2], state[2:], T)

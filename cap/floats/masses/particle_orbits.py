@@ -4,8 +4,7 @@ Hints for a proof, not rigorous.  Two equal masses move as two masses alone that
 names when they meet; so a pair of orbits of one mass is an orbit to start from.
 """
 
-import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import combinations
@@ -27,17 +26,12 @@ class NotFound(Exception):
     """Newton's method does not converge to a T-periodic orbit on which no mass stops."""
 
 
-def period(system: Particles) -> float:
-    """Return T = 2π/ω."""
-    return 2 * math.pi / float(system.parameters.omega)
-
-
 def fixed_point(system: Particles, state: Sequence[float]) -> tuple[Floats, Path]:
     """Return the state (x, v) at t = 0 of a T-periodic orbit near ``state``, and the orbit.
 
     Raises `NotFound`.
     """
-    z, n, T = np.array(state, dtype=np.float64), len(system.masses), period(system)
+    z, n, T = np.array(state, dtype=np.float64), len(system.masses), system.period
     for _ in range(STEPS):
         try:
             path = follow(system, z[:n].tolist(), z[n:].tolist(), T)
@@ -51,20 +45,39 @@ def fixed_point(system: Particles, state: Sequence[float]) -> tuple[Floats, Path
     raise NotFound("Newton's method does not converge to an orbit on which no mass stops")
 
 
-def continued(systems: Iterable[Particles], state: Sequence[float]) -> tuple[Floats, Path]:
-    """Return the `fixed_point` of the last system, each found from that of the system before.
+def continued(first: Particles, last: Particles, state: Sequence[float]) -> tuple[Floats, Path]:
+    """Continue the `fixed_point` of a system to another one, in steps that are halved if need be.
 
     Raises `NotFound`, also if on the way the itinerary changes.
     """
-    z, path, words = np.array(state, dtype=np.float64), None, None
-    for system in systems:
-        z, path = fixed_point(system, z.tolist())
-        if path.words != (words or path.words):
-            raise NotFound(f"the itinerary changes: {path.words}")
-        words = path.words
-    if path is None:
-        raise NotFound("there is no system to continue to")
+    z, path = fixed_point(first, state)
+    part, step = Fraction(0), Fraction(1, 10)
+    while part < 1:
+        then = min(part + step, Fraction(1))
+        system = _between(first, last, then)
+        try:
+            following, further = fixed_point(system, z.tolist())
+            if further.words != path.words:
+                raise NotFound("its itinerary changes")
+        except NotFound:
+            step /= 2
+            if step < SMALLEST:
+                at = ", ".join(f"{float(m):.6g}" for m in system.masses)
+                raise NotFound(
+                    f"an orbit continued from equal masses ends, or is lost by Newton's method, "
+                    f"before m = {at}"
+                ) from None
+        else:
+            part, z, path = then, following, further
     return z, path
+
+
+def _between(first: Particles, last: Particles, part: Fraction) -> Particles:
+    """Return the system so far from the first to the last, which differ in masses or friction."""
+    p, q = first.parameters, last.parameters
+    pairs = zip(first.masses, last.masses, strict=True)
+    masses = tuple(m + (other - m) * part for m, other in pairs)
+    return replace(last, parameters=replace(q, f=p.f + (q.f - p.f) * part), masses=masses)
 
 
 def reduced_traces(monodromy: Floats) -> tuple[complex, complex]:
@@ -121,31 +134,9 @@ def from_equal_masses(system: Particles) -> Iterator[Continued | NotFound]:
         pairs = combinations(sorted(found, key=lambda guess: guess.x), 2)
         for pair in sorted(pairs, key=lambda pair: sum(guess.kind != "elliptic" for guess in pair)):
             try:
-                yield _continued(system, mass, pair)
+                one, other = pair
+                equal = replace(system, masses=(mass, mass))
+                z, path = continued(equal, system, (one.x, other.x, one.v, other.v))
+                yield Continued(pair, tuple(z.tolist()), path)
             except NotFound as reason:
                 yield reason
-
-
-def _continued(system: Particles, mass: Fraction, pair: tuple[Guess, Guess]) -> Continued:
-    """Continue a pair of orbits of ``mass`` to the system, in steps that are halved if need be."""
-    a, b = pair
-    z, path = fixed_point(replace(system, masses=(mass, mass)), (a.x, b.x, a.v, b.v))
-    part, step = Fraction(0), Fraction(1, 10)
-    while part < 1:
-        then = min(part + step, Fraction(1))
-        masses = tuple(mass + (m - mass) * then for m in system.masses)
-        try:
-            following, further = fixed_point(replace(system, masses=masses), z.tolist())
-            if further.words != path.words:
-                raise NotFound("its itinerary changes")
-        except NotFound:
-            step /= 2
-            if step < SMALLEST:
-                at = ", ".join(f"{float(m):.6g}" for m in masses)
-                raise NotFound(
-                    f"an orbit continued from equal masses ends, or is lost by Newton's method, "
-                    f"before m = {at}"
-                ) from None
-        else:
-            part, z, path = then, following, further
-    return Continued(pair, tuple(z.tolist()), path)

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.errors import BadInput
-from cap.floats.models.closing import CLOSE, Closed, closing, first_start
-from cap.floats.models.samples import Samples, exponents, samples
+from cap.floats.models.closing import Closed, closing, first_start
+from cap.floats.models.samples import Samples, exponents, least, samples
 from cap.floats.models.spectrum import Floats
 from cap.floats.models.subject import OfModel, Subject, about
 from cap.floats.models.trajectory import flagged, proving, told
@@ -260,7 +260,7 @@ def _labelled(states: Floats, rests: NDArray[np.bool_]) -> tuple[NDArray[np.int6
     for i, path in enumerate(states / size):
         if np.isnan(path[-1]).any():
             continue
-        period = RESTS if rests[i] else _least(path)
+        period = RESTS if rests[i] else least(path, len(path) // 2)
         if period <= 0:
             at = others.setdefault(period, len(periods))
         else:
@@ -273,15 +273,6 @@ def _labelled(states: Floats, rests: NDArray[np.bool_]) -> tuple[NDArray[np.int6
             periods.append(period)
         label[i] = at
     return label, periods
-
-
-def _least(path: Floats) -> int:
-    """Return the least period after which the second half of a path (K, n) is where it was; 0."""
-    half = len(path) // 2
-    for period in range(1, half + 1):
-        if np.abs(path[half:] - path[half - period : -period]).max() < CLOSE:
-            return period
-    return 0
 
 
 def _attractor(

@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 
 from cap.errors import BadInput
 from cap.floats.models.attractor import ModelAttractors, attractors
-from cap.floats.models.closing import CLOSE
-from cap.floats.models.samples import exponents, samples
+from cap.floats.models.samples import exponents, least, samples
 from cap.floats.models.spectrum import Floats
 from cap.floats.models.subject import OfModel, Subject, about
 from cap.runner import Runner
@@ -145,14 +144,6 @@ def _settled(
     exponent = np.full(len(seeds), np.nan)
     if well.any():
         exponent[well] = exponents(subject, found.ends[well], found.modes[well], PERIODS)[0][:, 0]
-    returns = np.array([_returns(path) for path in found.states])
+    scaled = (path / (1 + np.abs(path).max()) for path in found.states)
+    returns = np.array([least(path, len(path) // 4) for path in scaled])
     return found.states, exponent, returns, found.counts[:, -1] > 0
-
-
-def _returns(path: Floats) -> int:
-    """Return the least period of states (K, n) at their end, up to a fourth of their number; 0."""
-    quarter, size = len(path) // 4, 1 + np.abs(path).max()
-    for period in range(1, quarter + 1):
-        if np.abs(path[-quarter:] - path[-quarter - period : -period]).max() < CLOSE * size:
-            return period
-    return 0

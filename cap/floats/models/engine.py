@@ -1,8 +1,8 @@
 """Orbits of any system in doubles, many at once, with all their events in exact order.
 
 The function that follows them is compiled from the model (`cap.floats.models.source`) when it is
-first used, and kept for the next time.  Guards must be affine in the state, cos wt and sin wt, up
-to terms that are quadratic in time on each flight.
+first used, and kept for the next time; or it is interpreted, with the same result.  Guards must be
+affine in the state, cos wt and sin wt, up to terms that are quadratic in time on each flight.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from cap.errors import BadInput
 from cap.files import replacing
 from cap.floats.engine.compiled import announced
 from cap.floats.models import roots
-from cap.floats.models.source import Source
+from cap.floats.models.source import IMPORTS, Source
 from cap.floats.models.spectrum import Floats, evaluated
 from cap.process import at_home
 from cap.system.model import System
@@ -35,6 +35,10 @@ OUTSIDE = 8
 """A bit of flags beside those of `cap.floats.models.source`: it began outside its mode."""
 MOST = 2000  # events in a period
 AT_ONCE = 200_000  # orbits times periods followed in a call: a signal is noticed between two
+PLAIN = """
+def njit(function=None, **_):
+    return function or njit
+"""
 Integers = NDArray[np.int64]
 
 
@@ -59,17 +63,19 @@ class Engine:
     """The flow of a system without free parameters.
 
     ``modes`` and ``words`` are the names of modes and of events, ``exponentials`` those of modes,
-    and ``free`` tells in which modes orbits may begin.  Raises `BadInput` for a system
+    and ``free`` tells in which modes orbits may begin.  ``interpreted`` it is not compiled, which
+    takes half a minute for two masses, and grows: for few orbits.  Raises `BadInput` for a system
     that floats do not follow, and says why.
     """
 
-    def __init__(self, system: System) -> None:
+    def __init__(self, system: System, *, interpreted: bool = False) -> None:
         if system.parameters:
             raise BadInput(f"floats need numbers for {', '.join(system.parameters)}")
         source = Source(system)
         self.system, self.modes = system, source.modes
         self.words = (*source.words, "capture")
-        self._numbers, self._follow = source.numbers, _compiled(source.text)
+        self._follow = (_interpreted if interpreted else _compiled)(source.text)
+        self._numbers = source.numbers
         self.exponentials = source.exponentials
         self.free = np.array([is_free(system, name) for name in system.modes])
 
@@ -94,8 +100,8 @@ class Engine:
             raise BadInput(f"give states as rows of {', '.join(self.system.state)}")
         if not np.isfinite(starts).all():
             raise BadInput("a state is not finite")
-        inside = self.inside(starts, phase)
-        begun = self.begun(starts, modes, phase, inside)
+        begun = self.begun(starts, modes, phase)
+        inside = self.inside(starts, phase, np.unique(begun))
         N, n = starts.shape
         ends, last = np.empty((N, n)), np.empty(N, dtype=np.int64)
         counts = np.zeros((N, len(self.words)), dtype=np.int64)
@@ -110,13 +116,19 @@ class Engine:
             used = self._follow(*given, *arrays)
         return Ends(ends, last, counts, flags, lines[:used], path)
 
-    def inside(self, states: Floats, phase: float = 0.0) -> NDArray[np.bool_]:
-        """Return (M, N) whether the guards of each mode are not negative at the states."""
+    def inside(
+        self, states: Floats, phase: float = 0.0, asked: Integers | None = None
+    ) -> NDArray[np.bool_]:
+        """Return (M, N) whether the guards of each mode are not negative at the states.
+
+        Of other modes than those ``asked``, if given, it is False.
+        """
         values = {**dict(zip(self.system.state, states.T, strict=True)), COS: np.cos(phase)}
         values[SIN] = np.sin(phase)
-        inside = np.ones((len(self.modes), len(states)), dtype=bool)
-        for k, mode in enumerate(self.system.modes.values()):
-            for guard in mode.guards.values():
+        inside = np.zeros((len(self.modes), len(states)), dtype=bool)
+        for k in range(len(self.modes)) if asked is None else asked:
+            inside[k] = True
+            for guard in self.system.modes[self.modes[k]].guards.values():
                 inside[k] &= evaluated(guard.value, values) >= 0
         return inside
 
@@ -125,12 +137,10 @@ class Engine:
         states: Floats,
         modes: Sequence[str] | Integers | None = None,
         phase: float = 0.0,
-        inside: NDArray[np.bool_] | None = None,
     ) -> Integers:
         """Return the indices of the modes in which orbits begin."""
-        inside = self.inside(states, phase) if inside is None else inside
         if modes is None:
-            free = inside & self.free[:, np.newaxis]
+            free = self.inside(states, phase) & self.free[:, np.newaxis]
             lost = ~free.any(axis=0)
             if lost.any():
                 raise BadInput(self._nowhere(states[np.argmax(lost)], phase))
@@ -140,8 +150,8 @@ class Engine:
         if unknown:
             raise BadInput(f"no mode {unknown[0]!r}: there are {', '.join(self.modes)}")
         found = np.array([known.get(m, m) for m in modes], dtype=np.int64)
-        if len(found) != inside.shape[1]:
-            raise BadInput(f"{len(found)} modes for {inside.shape[1]} states")
+        if len(found) != len(states):
+            raise BadInput(f"{len(found)} modes for {len(states)} states")
         return found
 
     def _nowhere(self, state: Floats, phase: float) -> str:
@@ -185,6 +195,25 @@ def _compiled(text: str) -> Callable[..., Any]:
     module.__file__ = str(path)
     exec(compile(text, str(path), "exec"), module.__dict__)  # noqa: S102 (our own source, not read)
     return announced(module.__dict__["follow"], digest)
+
+
+@lru_cache(maxsize=32)
+def _interpreted(text: str) -> Callable[..., Any]:
+    """Return the function of a source as plain Python, on its floats: those of numpy are slow."""
+    library = Path(roots.__file__).read_text(encoding="utf-8")
+    names: dict[str, Any] = {"__name__": "interpreted"}
+    parts = library.replace("from numba import njit\n", PLAIN), text.replace(IMPORTS, PLAIN)
+    for part in parts:
+        exec(compile(part, "interpreted", "exec"), names)  # noqa: S102 (our own source, not read)
+    follow = names["follow"]
+
+    def plain(K: Floats, starts: Floats, modes: Integers, *others: Any) -> int:
+        try:
+            return int(follow(K.tolist(), starts.astype(object), modes.tolist(), *others))
+        except (ArithmeticError, ValueError) as error:  # where numba has inf or nan
+            raise BadInput(f"floats do not follow an orbit: {error}") from None
+
+    return plain
 
 
 def _folder() -> Path:

@@ -58,6 +58,8 @@ def orders(bits: int) -> list[int]:
 
 def _after(h: Polynomial, reset: dict[str, Quotient]) -> Quotient:
     """Return h after a reset, a function of y before it."""
+    if all(name not in reset or reset[name] == Quotient.of(variable(name)) for name in h.variables):
+        return Quotient.of(h)
     names = {name: reset.get(name, Quotient.of(variable(name))) for name in h.variables}
     constant = lambda c: Quotient.of(Polynomial.of(c))  # noqa: E731
     return Quotient.of(h.evaluated(names, constant, Quotient.of(variable(PI))))

@@ -11,7 +11,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property, lru_cache, partial
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -100,6 +101,11 @@ class Legs:
         angle = self.phase + self.omega * np.asarray(times)[..., None]
         return np.concatenate([states, np.cos(angle), np.sin(angle), np.ones_like(angle)], axis=-1)
 
+    def at(self, k: int, d: Floats) -> Floats:
+        """Return the states (J, n) on a leg, times (J,) after its begin."""
+        y = self.full(self.state[k], self.begin[k])
+        return self.flights[int(self.mode[k])].flown(y, d)[:, : self.state.shape[1]]
+
     def derivatives(self, *, sectional: bool = False) -> Floats:
         """Return (K, n, n) the derivative of the state at the end of each leg by that at its begin.
 
@@ -123,23 +129,16 @@ class Legs:
             return flown
         start = self.full(self.state[leg.place], begin)
         y = np.einsum("kij,kj->ki", E, start)
-        system, mode = self.engine.system, self.engine.modes[leg.mode]
-        word, to = self.engine.words[leg.word], self.engine.modes[leg.to]
-        h, reset = system.guard(mode, word).value, system.reset(mode, word)
-        values = dict(zip((*system.state, COS, SIN), y.T, strict=False))
-        names = system.state
-        grad = np.stack([_value(h.derivative(z), values) for z in names], axis=1)
-        by = np.array(
-            [[_value(slope(reset[z], along(x)), values) for x in names] for z in names]
-        ).transpose(2, 0, 1)
-        lie = partial(system.lie, mode)
-        jump = -np.stack([_value(slope(reset[z], lie), values) for z in names], axis=1)
+        values = dict(zip((*self.engine.system.state, COS, SIN), y.T, strict=False))
+        jump = _jump(self.engine, leg.mode, leg.word, leg.to)
+        grad, change = _values(jump.slopes, values), -_values(jump.rates, values)
+        by = _values(jump.by, values).reshape(-1, n, n)
         if not sectional:
-            after = values | {z: _value(reset[z], values) for z in names}
-            field = system.modes[to].field
-            jump = jump + np.stack([_value(field[z], after) for z in names], axis=1)
-        speed = _value(system.lie(mode, h), values)
-        saltation = by + jump[:, :, None] * grad[:, None, :] / speed[:, None, None]
+            reset = _values(jump.reset, values)
+            after = values | dict(zip(self.engine.system.state, reset.T, strict=True))
+            change = change + _values(jump.field, after)
+        speed = _values([jump.speed], values)[:, :, None]
+        saltation = by + change[:, :, None] * grad[:, None, :] / speed
         return np.asarray(saltation @ flown)
 
     def _captured(self, leg: Leg) -> Floats:
@@ -153,8 +152,8 @@ class Legs:
             own = (self.mode[before] == m) & (self.word[before] == w)
             rest = resting(system, mode, system.guard(mode, self.engine.words[w]))
             for i, q in enumerate(map(Quotient.of, rest)):
-                for k, z in enumerate(system.state):
-                    found[own, i, k] = _value(slope(q, along(z)), values)[own]
+                slopes = [slope(q, along(z)) for z in system.state]
+                found[own, i] = _values(slopes, values)[own]
         return found
 
     def numbered(self) -> NDArray[np.int64]:
@@ -162,6 +161,34 @@ class Legs:
         first = np.concatenate([[True], np.diff(self.orbit) != 0])
         places = np.arange(len(self.orbit))
         return places - np.maximum.accumulate(np.where(first, places, 0))
+
+
+class Jump(NamedTuple):
+    """Of an event: grad h, dR/dq row by row, R', R, L h; and the field g after it."""
+
+    slopes: list[Quotient]
+    by: list[Quotient]
+    rates: list[Quotient]
+    reset: list[Quotient]
+    speed: Quotient
+    field: list[Quotient]
+
+
+@lru_cache(maxsize=512)
+def _jump(engine: Engine, m: int, w: int, to: int) -> Jump:
+    """Return what the derivative at an event is made of."""
+    system, mode, word = engine.system, engine.modes[m], engine.words[w]
+    h, names = system.guard(mode, word).value, system.state
+    reset = [system.reset(mode, word)[z] for z in names]
+    lie = partial(system.lie, mode)
+    return Jump(
+        [Quotient.of(h.derivative(z)) for z in names],
+        [slope(q, along(z)) for q in reset for z in names],
+        [slope(q, lie) for q in reset],
+        reset,
+        Quotient.of(lie(h)),
+        [Quotient.of(system.modes[engine.modes[to]].field[z]) for z in names],
+    )
 
 
 def matrices(E: Exponential, d: Floats) -> Floats:
@@ -184,9 +211,12 @@ def along(name: str) -> Callable[[Polynomial], Polynomial]:
     return lambda q: q.derivative(name)
 
 
-def _value(q: Polynomial | Quotient, values: dict[str, Floats]) -> Floats:
-    """Return the values (K,) of a polynomial or a quotient."""
-    parts = (q.numerator, q.denominator) if isinstance(q, Quotient) else (q, ONE)
-    top, below = (evaluated(part, values) for part in parts)
-    shape = next(iter(values.values())).shape
-    return np.asarray(np.broadcast_to(top / below, shape), dtype=float)
+def _values(table: list[Quotient], values: dict[str, Floats]) -> Floats:
+    """Return the values (K, J) of functions."""
+    found = np.zeros((len(next(iter(values.values()))), len(table)))
+    for k, q in enumerate(table):
+        if q.numerator:
+            found[:, k] = evaluated(q.numerator, values)
+        if q.denominator != ONE:
+            found[:, k] /= evaluated(q.denominator, values)
+    return found

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from cap.errors import BadInput, NotProved
 from cap.floats.models.contacts import contacts, cycle, meets
-from cap.floats.models.engine import Engine, Integers, is_free
+from cap.floats.models.engine import Engine, Integers
 from cap.floats.models.spectrum import Floats
 from cap.orbits.equations import Equations
 from cap.orbits.itinerary import Itinerary
@@ -181,8 +181,7 @@ def _seeds(engine: Engine) -> tuple[Floats, Integers]:
     random = np.random.default_rng(1)
     n = len(engine.system.state)
     states = random.normal(size=(SEEDS, n)) * 2.0 ** random.uniform(-3, 3, size=(SEEDS, 1))
-    free = np.array([is_free(engine.system, mode) for mode in engine.modes])
-    inside = engine.inside(states) & free[:, np.newaxis]
+    inside = engine.inside(states) & engine.free[:, np.newaxis]
     kept = inside.any(axis=0)
     if not kept.any():
         raise BadInput("no random state lies in a mode: give a state with --orbit")

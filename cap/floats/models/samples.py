@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.errors import BadInput
-from cap.floats.models.closing import logged
+from cap.floats.models.closing import CLOSE, logged
 from cap.floats.models.legs import Legs
 from cap.floats.models.spectrum import Floats
 from cap.floats.models.subject import Subject
@@ -62,6 +62,17 @@ def samples(subject: Subject, states: Floats, modes: NDArray[np.int64], count: i
         found[o, : len(part)] = part
         found[o, len(part) :] = ends.states[o]  # no event follows
     return Samples(found, ends.states, ends.modes, ends.counts, ends.flags)
+
+
+def least(path: Floats, looked: int, close: float = CLOSE) -> int:
+    """Return the least period after which the last so many states of a path are there again; 0.
+
+    The path (K, n) is scaled; it has twice as many states at least.
+    """
+    for period in range(1, looked + 1):
+        if np.abs(path[-looked:] - path[-looked - period : -period]).max() < close:
+            return period
+    return 0
 
 
 def exponents(

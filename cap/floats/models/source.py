@@ -34,15 +34,17 @@ SIMULTANEOUS, NO_MODE, MANY = 1, 2, 4
 CLOSE, NEGATIVE, SOON = 1e-13, -1e-9, 1e-6
 SOLVERS = "first", "decreasing", "clocked"
 KINDS = {"T": "imaginary", "I": "imaginary", "R": "real", "C": "remainder"}  # R(z d) of rates
-HEAD = f'''"""Made from a model by `cap.floats.models.source`."""
-
-import math
-
+IMPORTS = """\
 from numba import njit
 
 from cap.floats.models.roots import captures, clocked_of, decreasing_of, first_of
 from cap.floats.models.roots import imaginary, real, remainder, turned
+"""
+HEAD = f'''"""Made from a model by `cap.floats.models.source`."""
 
+import math
+
+{IMPORTS}
 TURN, CLOSE, NEGATIVE, SOON = 2 * math.pi, {CLOSE}, {NEGATIVE}, {SOON}
 SIMULTANEOUS, NO_MODE, MANY = {SIMULTANEOUS}, {NO_MODE}, {MANY}
 '''

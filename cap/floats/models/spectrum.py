@@ -48,6 +48,13 @@ class Exponential(NamedTuple):
             parts += [h @ re, h @ im]
         return np.array(parts)
 
+    def flown(self, y: Floats, d: Floats) -> Floats:
+        """Return exp(M d) y (K, Z) at times (K,)."""
+        x = np.multiply.outer(d, self.rates)
+        R = np.exp(x) - 1 - x - x * x / 2
+        path = y + np.outer(d, self.first @ y) + np.outer(d * d / 2, self.second @ y)
+        return np.asarray(path + R.real @ (self.real @ y) + R.imag @ (self.imaginary @ y))
+
 
 def exponential(system: System, mode: str) -> Exponential:
     """Return the exponential of y' = M y; refuse resonance, and matrices of other kinds."""

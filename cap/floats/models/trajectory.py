@@ -214,12 +214,7 @@ def along(legs: Legs, k: int, until: float, whole: float) -> tuple[Floats, Float
     begin = float(legs.begin[k])
     rate = min(SAMPLES, MOST_SAMPLES * (2 * np.pi / legs.omega) / whole) / (2 * np.pi / legs.omega)
     d = np.linspace(0, until - begin, max(2, int(np.ceil(rate * (until - begin))) + 1))
-    E, y = legs.flights[int(legs.mode[k])], legs.full(legs.state[k], np.array(begin))
-    x = np.multiply.outer(d, E.rates)
-    R = np.exp(x) - 1 - x - x * x / 2
-    flown = y + np.outer(d, E.first @ y) + np.outer(d * d / 2, E.second @ y)
-    flown = flown + R.real @ (E.real @ y) + R.imag @ (E.imaginary @ y)
-    return begin + d, np.asarray(flown[:, : legs.state.shape[1]])
+    return begin + d, legs.at(k, d)
 
 
 def _closing(subject: Subject, closed: Closed | None) -> tuple[str, ...]:

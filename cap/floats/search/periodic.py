@@ -85,7 +85,7 @@ def near(p: Parameters, x: float, v: float) -> Guess:
     """
     o = oscillator(p)
     try:
-        times = o.omega * np.array(flow.one_period(o, x, v, formal=True).hit_times)
+        times = o.omega * np.array(flow.hit_times(o, x, v))
     except flow.Turns as grazes:
         raise BadInput(f"({x!r}, {v!r}) is no start: {grazes}") from None
     complaint = "its orbit turns, or the period ends, before it hits a wall"

@@ -10,7 +10,7 @@ from matplotlib.ticker import MaxNLocator
 from cap.floats.search.inventory import KINDS
 from cap.parameters import PAPER
 from cap.pictures.diagrams import TYPE_COLOURS
-from cap.pictures.style import BLACK, ORANGE, RED, parameters
+from cap.pictures.style import BLACK, ORANGE, RED, legend, parameters
 
 if TYPE_CHECKING:
     from cap.paper.forcing import Counted
@@ -49,5 +49,5 @@ def forcing(data: "Counted", figure: FigureBase) -> None:
     axes.set_ylabel("$T$-periodic orbits found")
     axes.bar([0], [0], color="white", ec=BLACK, lw=0.4, hatch="////",
              label=f"hatched: {data.seeds} x {data.seeds} seeds, like the paper's")  # fmt: skip
-    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=4)
+    legend(axes, figure)
     figure.suptitle(f"$T$-periodic orbits over $F$\n{parameters(PAPER, but=('F',))}", fontsize=10)

@@ -12,7 +12,7 @@ from matplotlib.patches import Patch
 
 from cap.floats.one_one import symmetric_member, turn
 from cap.parameters import PAPER
-from cap.pictures.style import BLACK, BLUE, GREEN, GREY, PURPLE, RED, SKY, parameters
+from cap.pictures.style import BLACK, BLUE, GREEN, GREY, PURPLE, RED, SKY, cells, parameters
 
 if TYPE_CHECKING:
     from cap.paper.bifurcation import Branches
@@ -57,10 +57,8 @@ def _regions(axes: Axes, found: "Map") -> list[Patch]:
     kinds = found.kinds()
     code = np.vectorize(list(KINDS).index)(kinds)
     norm = BoundaryNorm(np.arange(-0.5, len(KINDS)), len(KINDS))
-    df, dR = (float(a[1] - a[0]) / 2 for a in (found.f, found.R))
-    extent = (found.f[0] - df, found.f[-1] + df, found.R[0] - dR, found.R[-1] + dR)
-    axes.imshow(code, origin="lower", extent=extent, aspect="auto", norm=norm,
-                cmap=ListedColormap([shade for shade, _ in KINDS.values()]))  # fmt: skip
+    shades = ListedColormap([shade for shade, _ in KINDS.values()])
+    cells(axes, found.f, found.R, code, norm=norm, cmap=shades)
     return [
         Patch(fc=shade, ec=BLACK, lw=0.4, label=words)
         for kind, (shade, words) in KINDS.items()

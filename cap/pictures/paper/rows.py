@@ -10,7 +10,7 @@ from matplotlib.figure import FigureBase
 from cap.floats.diagnostics.trajectory import Trajectory
 from cap.floats.findings import Floats
 from cap.pictures import times
-from cap.pictures.style import BLUE, SKY, UNITS, parameters
+from cap.pictures.style import BLUE, SKY, UNITS, dots, framed, legend, parameters
 
 if TYPE_CHECKING:
     from cap.paper.rows import Row, Rows
@@ -61,13 +61,8 @@ def _forcing(axes: Axes, orbit: Trajectory) -> None:
 
 def _portrait(axes: Axes, states: Floats) -> None:
     size = 16.0 if np.ptp(states, axis=0).max() < 1e-6 else 1.5
-    axes.scatter(
-        states[:, 0], states[:, 1], s=size, color=BLUE, lw=0, rasterized=len(states) > 5000
-    )
-    low, high = states.min(axis=0), states.max(axis=0)
-    rim = np.maximum(0.15 * (high - low), 0.002)
-    axes.set_xlim(low[0] - rim[0], high[0] + rim[0])
-    axes.set_ylim(low[1] - rim[1], high[1] + rim[1])
+    dots(axes, states, BLUE, size)
+    framed(axes, states.min(axis=0), states.max(axis=0), 0.15, 0.002)
     axes.locator_params(nbins=4)
     axes.set_xlabel(UNITS["x"])
 
@@ -77,6 +72,6 @@ def orbit(data: Trajectory, figure: FigureBase) -> None:
     axes = figure.subplots(1, 2)
     times.position(axes[0], data)
     times.plane(axes[1], data)
-    times.legend(axes[1], figure)
+    legend(axes[1], figure, 8)
     given = parameters(data.parameters)
     figure.suptitle(f"The elliptic orbit that never turns\n{given}", fontsize=10)

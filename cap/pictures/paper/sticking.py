@@ -9,7 +9,7 @@ from matplotlib.figure import FigureBase
 from cap.floats.diagnostics.chatter import Chatter
 from cap.floats.diagnostics.trajectory import Trajectory
 from cap.pictures import times
-from cap.pictures.style import BLUE, GREY, ORANGE, RED, UNITS
+from cap.pictures.style import BLUE, GREY, ORANGE, RED, UNITS, walls
 
 if TYPE_CHECKING:
     from cap.paper.sticking import Panels
@@ -20,8 +20,7 @@ def sticking(data: "Panels", figure: FigureBase) -> None:
     axes = figure.subplot_mosaic([["a", "a"], ["b", "c"]], width_ratios=[1.15, 1])
     times.position(axes["a"], data.slow)
     axes["a"].set_title(f"(a) $F = {_force(data.slow)}$, from $(0, 1.5)$", loc="left")
-    handles, labels = axes["a"].get_legend_handles_labels()
-    axes["a"].legend(handles, labels, ncols=3, loc="upper right")
+    axes["a"].legend(ncols=3, loc="upper right")
     _shadow(axes["b"], data)
     _accumulation(axes["c"], data.captured)
     figure.suptitle("Sticking, neighbours, and hits that accumulate\n"
@@ -36,8 +35,7 @@ def _shadow(axes: Axes, data: "Panels") -> None:
     for orbit, colour in zip(data.two, (BLUE, ORANGE), strict=True):
         label = rf"$v_0 = {orbit.v[0]:g}$"
         axes.plot(orbit.x, orbit.v, color=colour, lw=0.8, label=label)
-    for wall in (data.slow.parameters.l, data.slow.parameters.r):
-        axes.axvline(float(wall), color=GREY, ls="--", lw=0.7)
+    walls(axes, data.slow.parameters, over_time=False)
     axes.axhline(0, color=GREY, lw=0.5)
     axes.set_xlabel(UNITS["x"])
     axes.set_ylabel(UNITS["v"])

@@ -18,7 +18,7 @@ from cap.checker.theorems.contact_elliptic import ContactElliptic
 from cap.checker.theorems.contacts import Contacts
 from cap.checker.theorems.contacts_family import ContactsFamily
 from cap.floats.findings import Floats
-from cap.pictures.style import BLACK, CYCLE, GREY, RED
+from cap.pictures.style import BLACK, CYCLE, GREY, RED, legend
 from cap.pictures.theorems.parts import middle, number
 from cap.pictures.times import mark
 
@@ -32,8 +32,7 @@ def contacts(theorem: Contacts, figure: Figure) -> None:
     claims, p = theorem.claims, theorem.p
     states = np.array([[middle(q) for q in state] for state in claims["states"]])
     begin, end = times(theorem)
-    shown, other = p.state[:SHOWN], min(1, len(p.state) - 1)
-    axes = figure.subplot_mosaic([[z, "plane"] for z in shown], width_ratios=[1.4, 1])
+    axes, shown, other = _panels(p, figure)
     for k, contact in enumerate(claims["contacts"]):
         t = np.linspace(begin[k], end[k], SAMPLES)
         path = flight(p, contact["to"], t, states[(k + 1) % len(states)])
@@ -48,12 +47,7 @@ def contacts(theorem: Contacts, figure: Figure) -> None:
         for i, z in enumerate(shown):
             _mark(axes[z], np.roll(end, 1)[own], states[own, i], n, f"{word} (proved)")
         _mark(axes["plane"], states[own, 0], states[own, other], n, "_")
-    for z in shown:
-        axes[z].set_ylabel(z)
-    axes[shown[-1]].set_xlabel("time $t$")
-    axes["plane"].set(xlabel=shown[0], ylabel=shown[other])
-    handles, labels = axes[shown[0]].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=4)
+    legend(axes[shown[0]], figure)
     figure.suptitle(_words(theorem), fontsize=10)
 
 
@@ -81,8 +75,7 @@ def family(theorem: ContactsFamily, figure: Figure) -> None:
     quarter = math.pi / (2 * float(p.omega))
     begin = quarter * np.array(claims["quarters"])
     end = np.append(begin[1:], begin[0] + 4 * quarter * claims["periods"])
-    shown, other = p.state[:SHOWN], min(1, len(p.state) - 1)
-    axes = figure.subplot_mosaic([[z, "plane"] for z in shown], width_ratios=[1.4, 1])
+    axes, shown, other = _panels(p, figure)
     low, high = claims["range"]
     values = np.linspace(float(low), float(high), FAMILY)
     for c, colour in zip(values, CYCLE, strict=False):
@@ -94,18 +87,24 @@ def family(theorem: ContactsFamily, figure: Figure) -> None:
             for i, z in enumerate(shown):
                 axes[z].plot(t, path[:, i], color=colour, lw=0.9, label=label)
             axes["plane"].plot(path[:, 0], path[:, other], color=colour, lw=0.8)
-    for z in shown:
-        axes[z].set_ylabel(z)
-    axes[shown[-1]].set_xlabel("time $t$")
-    axes["plane"].set(xlabel=shown[0], ylabel=shown[other])
-    handles, labels = axes[shown[0]].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=4)
+    legend(axes[shown[0]], figure)
     figure.suptitle(
         "Some orbits (floats) of a family, one for each c "
         f"from {decimal(low)} to {decimal(high)} (proved)\n"
         "(the certificate is VERIFIED)",
         fontsize=10,
     )
+
+
+def _panels(p: Model, figure: Figure) -> tuple[dict[str, Axes], tuple[str, ...], int]:
+    """Return axes for some variables over the time, these, and which is shown with the first."""
+    shown, other = p.state[:SHOWN], min(1, len(p.state) - 1)
+    axes = figure.subplot_mosaic([[z, "plane"] for z in shown], width_ratios=[1.4, 1])
+    for z in shown:
+        axes[z].set_ylabel(z)
+    axes[shown[-1]].set_xlabel("time $t$")
+    axes["plane"].set(xlabel=shown[0], ylabel=shown[other])
+    return axes, shown, other
 
 
 def times(theorem: Contacts) -> tuple[Floats, Floats]:

@@ -15,7 +15,7 @@ from matplotlib.patches import Rectangle
 from numpy.typing import NDArray
 
 from cap.checker.theorems.contacts_branch import ContactsBranch
-from cap.pictures.style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED
+from cap.pictures.style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, legend
 from cap.pictures.theorems.parts import middle, number
 
 LOOKS: dict[str, tuple[str, str]] = {
@@ -69,8 +69,7 @@ def branch(theorem: ContactsBranch, figure: Figure) -> None:
                       ls="none", label=label, zorder=3)  # fmt: skip
         axes.set_ylabel(words)
     panels[-1].set_xlabel(f"parameter {name}")
-    handles, labels = panels[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=2)
+    legend(panels[0], figure, 2)
     low, high = claims["range"]
     shown = math.ceil(low * 10**PLACES) / 10**PLACES, math.floor(high * 10**PLACES) / 10**PLACES
     figure.suptitle(

@@ -15,6 +15,7 @@ from cap.checker.tori.written import coefficients
 from cap.floats.search import spanning
 from cap.floats.search.spanning import Array
 from cap.pictures.style import BLUE, GREY, ORANGE
+from cap.pictures.theorems.parts import curve
 
 TURN = np.linspace(0, 2 * np.pi, 2001)
 ORBITS, STEPS = 40, 1200
@@ -82,12 +83,7 @@ def _finish(figure: Figure, theorem: AroundCylinder, what: str) -> None:
 
 def _values(theorem: AroundCylinder, name: str) -> Array:
     """Return the values of a function."""
-    places = theorem.hints["places"]
-    parts = [complex(float(f"{a}e-{places}"), float(f"{b}e-{places}"))
-             for a, b in coefficients(theorem.claims["curve"][name])]  # fmt: skip
-    weights = np.array([parts[0], *(2 * part for part in parts[1:])])
-    k = np.arange(len(weights))
-    return np.asarray((np.exp(1j * np.outer(TURN, k)) @ weights).real)
+    return curve(coefficients(theorem.claims["curve"][name]), theorem.hints["places"], TURN)
 
 
 def _orbits(at: spanning.Oscillating, y: Array) -> tuple[Array, Array]:

@@ -14,14 +14,13 @@ from cap.checker.kernel.theorem import Theorem
 from cap.floats.engine import swarm
 from cap.floats.findings import Floats
 from cap.parameters import Parameters
-from cap.pictures.style import BLACK, BLUE, CYCLE, GREEN
+from cap.pictures.style import BLACK, BLUE, CYCLE, GREEN, legend
 from cap.pictures.theorems.parts import (
     CIRCLE,
     around,
     box,
     heading,
     in_time,
-    legend,
     middle,
     multipliers,
     number,

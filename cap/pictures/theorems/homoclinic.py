@@ -9,7 +9,6 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
@@ -17,7 +16,7 @@ from cap.checker.maps.cones import Cones
 from cap.checker.maps.homoclinic import Orbit
 from cap.checker.theorems.homoclinic import Homoclinic
 from cap.errors import NotProved
-from cap.floats.diagnostics.manifold import Manifolds, manifolds
+from cap.floats.diagnostics.manifold import manifolds
 from cap.flow.strobe import oscillator
 from cap.maps import fixed_point
 from cap.maps.cones import directions
@@ -34,6 +33,7 @@ from cap.pictures.style import (
     RED,
     SKY,
     YELLOW,
+    framed,
     stroboscopic,
 )
 from cap.pictures.theorems.parts import heading, middle, system
@@ -85,7 +85,8 @@ def draw(theorem: Proof, figure: Figure) -> None:
         axes.plot(*q, "D", ms=7, mfc=colour, mec=BLACK, mew=0.9, ls="none", label=name)
     name = "saddle $P^*$ (proved)"
     axes.plot(*saddle, "s", ms=6, mfc=ORANGE, mec=BLACK, mew=0.8, ls="none", label=name)
-    frame(axes, curves)
+    known = curves.unstable[np.isfinite(curves.unstable).all(axis=1)]
+    framed(axes, known.min(axis=0), known.max(axis=0), 0.05)  # the stable one goes far
     stroboscopic(axes)
     figure.legend(loc="outside lower center", ncols=2, handlelength=1.4)
     heading(figure, theorem, "Homoclinic orbits of a saddle")
@@ -133,11 +134,3 @@ def curves(theorem: Proof, p: Parameters, size: tuple[Fraction, Fraction]) -> li
 def states(orbit: Orbit) -> Points:
     """Return the points of an orbit that is proved, each of which lies in a tiny box."""
     return np.array([[float(z.lower) for z in place.point] for place in orbit.places])
-
-
-def frame(axes: Axes, curves: Manifolds) -> None:
-    """Show the unstable curve: the stable one goes far, through orbits that turn."""
-    known = curves.unstable[np.isfinite(curves.unstable).all(axis=1)]
-    rim = 0.05 * np.ptp(known, axis=0)
-    low, high = known.min(axis=0) - rim, known.max(axis=0) + rim
-    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))

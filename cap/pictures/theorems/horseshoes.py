@@ -26,7 +26,7 @@ from cap.floats.coverings.planar import Planar, contacts, formulas, half_period,
 from cap.floats.coverings.regions import cells, regions
 from cap.floats.coverings.saddles import Saddle, saddles
 from cap.floats.diagnostics.manifold import manifolds
-from cap.pictures.style import BLACK, BLUE, CYCLE, ORANGE, RED, stroboscopic
+from cap.pictures.style import BLACK, BLUE, CYCLE, ORANGE, RED, framed, stroboscopic
 from cap.pictures.theorems.parts import heading, system
 from cap.system.model import Guard, Mode, System
 from cap.system.planar import Map
@@ -140,9 +140,7 @@ def draw(theorem: Coverings, axes: Axes, found: Any, placed: Any) -> None:
             label="sets (proved), coloured by symbols",
         )
     )
-    low, high = shown.min(axis=(0, 1)), shown.max(axis=(0, 1))
-    rim = 0.06 * (high - low)
-    axes.set(xlim=(low[0] - rim[0], high[0] + rim[0]), ylim=(low[1] - rim[1], high[1] + rim[1]))
+    framed(axes, shown.min(axis=(0, 1)), shown.max(axis=(0, 1)), 0.06)
 
 
 def unstable(g: Planar, saddle: Saddle) -> Points:

@@ -19,24 +19,22 @@ from cap.checker.tori.written import coefficients
 from cap.floats.diagnostics.trajectory import trajectory
 from cap.floats.engine import swarm
 from cap.floats.findings import Floats
-from cap.pictures.style import BLACK, BLUE, CYCLE, GREY, ORANGE, RED, UNITS
+from cap.parameters import Parameters
+from cap.pictures.style import BLACK, BLUE, CYCLE, GREY, ORANGE, RED, UNITS, framed, walls
 from cap.pictures.theorems.parts import (
     PALE_BLUE,
+    curve,
     heading,
     middle,
     number,
     plane,
     point,
     system,
-    walls,
 )
 
 TURN = np.linspace(0, 2 * np.pi, 1201)
-RINGS, PERIODS, FAR = (
-    24,
-    400,
-    2.2,
-)  # orbits in floats around a curve, as far as so many of its sizes
+RINGS, PERIODS = 24, 400  # orbits in floats around a curve
+FAR = 2.2  # of its sizes, how far out they start
 SEGMENTS = 8  # of a column
 MARKERS = "*os^"
 
@@ -49,20 +47,12 @@ def island(theorem: Island, figure: Figure) -> None:
     x += float(p.l + p.r) / 2
     axes = figure.subplots()
     centre = middle(claims["x"]), middle(claims["v"])
-    starts = [(centre[0] + FAR * (x.max() - centre[0]) * (k + 1) / RINGS, centre[1])
-              for k in range(RINGS)]  # fmt: skip
-    found = swarm.follow(p, starts, PERIODS, every=True)
-    stopped = found.stopped
-    for path, stops in zip(found.states, stopped, strict=True):
-        axes.plot(*path.T, ".", ms=1, mew=0, color=ORANGE if stops else GREY, zorder=1)
-    axes.plot([], [], ".", ms=4, color=GREY, label="orbits once a period (floats)")
-    axes.plot([], [], ".", ms=4, color=ORANGE, label="orbits that stop (floats)")
+    _orbits(axes, p, centre, FAR * (x.max() - centre[0]))
     words = f"inside nothing ever stops: area {number(claims['area'])} (proved)"
     axes.fill(x, v, fc=PALE_BLUE, ec="none", zorder=2, label=words)
     axes.plot(x, v, color=BLUE, lw=1.2, zorder=3, label="invariant curve (proved)")
     point(axes, claims)
-    rim = 0.6 * np.ptp(x), 0.6 * np.ptp(v)
-    axes.set(xlim=(x.min() - rim[0], x.max() + rim[0]), ylim=(v.min() - rim[1], v.max() + rim[1]))
+    framed(axes, (x.min(), v.min()), (x.max(), v.max()), 0.6)
     plane(axes)
     figure.legend(loc="outside lower center", ncols=2)
     quotients = claims["rotation_number"]
@@ -79,23 +69,14 @@ def converse(theorem: Converse, figure: Figure) -> None:
     centre = np.array([middle(claims["x"]), middle(claims["v"])])
     rings = [centre + 1e-9 * scale * np.array(offsets(words)) for words in claims["rings"]]
     axes = figure.subplots()
-    out = rings[0][:, 0].max() - centre[0]
-    starts = [(centre[0] + out * (k + 1) / RINGS, centre[1]) for k in range(RINGS)]
-    found = swarm.follow(p, starts, PERIODS, every=True)
-    stopped = found.stopped
-    for path, stops in zip(found.states, stopped, strict=True):
-        axes.plot(*path.T, ".", ms=1, mew=0, color=ORANGE if stops else GREY, zorder=1)
-    axes.plot([], [], ".", ms=4, color=GREY, label="orbits once a period (floats)")
-    axes.plot([], [], ".", ms=4, color=ORANGE, label="orbits that stop (floats)")
+    _orbits(axes, p, (centre[0], centre[1]), rings[0][:, 0].max() - centre[0])
     for n, ring in enumerate(rings):
         last = n + 1 == len(rings)
         label = "no connected set of states around P* whose motions never stop meets these (proved)"
         look: dict[str, Any] = {"lw": 1.2 if last else 0.7, "label": label if last else None}
         axes.plot(*np.append(ring, ring[:1], axis=0).T, color=RED, zorder=2, **look)
     point(axes, claims)
-    low, high = rings[0].min(axis=0), rings[0].max(axis=0)
-    rim = 0.1 * (high - low)
-    axes.set(xlim=(low[0] - rim[0], high[0] + rim[0]), ylim=(low[1] - rim[1], high[1] + rim[1]))
+    framed(axes, rings[0].min(axis=0), rings[0].max(axis=0), 0.1)
     plane(axes)
     figure.legend(loc="outside lower center")
     area = f"{float(claims['area']):g}"
@@ -104,16 +85,18 @@ def converse(theorem: Converse, figure: Figure) -> None:
 
 def _curve(theorem: Island, name: str, unit: float) -> Floats:
     """Return a component of the curve in units of the parameters, from the middle of the walls."""
-    places = theorem.hints["places"]
-    parts = [complex(_double(a, places), _double(b, places))
-             for a, b in coefficients(theorem.claims["curve"][name])]  # fmt: skip
-    weights = np.array([parts[0], *(2 * part for part in parts[1:])])
-    k = np.arange(len(weights))
-    return np.asarray(unit * (np.exp(1j * np.outer(TURN, k)) @ weights).real)
+    values = curve(coefficients(theorem.claims["curve"][name]), theorem.hints["places"], TURN)
+    return unit * values
 
 
-def _double(units: int, places: int) -> float:
-    return float(f"{units}e-{places}")
+def _orbits(axes: Axes, p: Parameters, centre: tuple[float, float], out: float) -> None:
+    """Draw orbits in floats that start up to so far from the centre."""
+    starts = [(centre[0] + out * (k + 1) / RINGS, centre[1]) for k in range(RINGS)]
+    found = swarm.follow(p, starts, PERIODS, every=True)
+    for path, stops in zip(found.states, found.stopped, strict=True):
+        axes.plot(*path.T, ".", ms=1, mew=0, color=ORANGE if stops else GREY, zorder=1)
+    axes.plot([], [], ".", ms=4, color=GREY, label="orbits once a period (floats)")
+    axes.plot([], [], ".", ms=4, color=ORANGE, label="orbits that stop (floats)")
 
 
 def inventory(theorem: Inventory, figure: Figure) -> None:

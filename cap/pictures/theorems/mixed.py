@@ -123,8 +123,8 @@ def proved(theorem: Mixed, places: Places, work: Map) -> list[Outline]:
     outlines = list[list[Outline]]()
     for side, name in SIDES.items():
         drawn = partial(of_sticks, outlook, y, V, side)
-        outlines += work(drawn, theorem.sticks(y, side), BACK.format(name), Leaf.work)
-    outlines += work(partial(of_turns, outlook, y, V), theorem.turns(y), TURNS, Leaf.work)
+        outlines += work(drawn, theorem.leaves(y, name), BACK.format(name), Leaf.work)
+    outlines += work(partial(of_turns, outlook, y, V), theorem.leaves(y, "turns"), TURNS, Leaf.work)
     unit = np.array([float(p.F / p.omega**2), float(p.F / p.omega)])
     return [
         (fate, np.array([float(p.l), 0.0]) + points * unit)

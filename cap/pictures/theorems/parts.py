@@ -16,7 +16,7 @@ from cap.checker.kernel.shapes import Enclosure
 from cap.checker.kernel.theorem import Theorem
 from cap.floats.diagnostics.trajectory import trajectory
 from cap.parameters import Parameters
-from cap.pictures.style import BLACK, BLUE, GREY, UNITS, parameters, star
+from cap.pictures.style import BLACK, BLUE, GREY, UNITS, framed, parameters, star, walls
 from cap.pictures.times import MARKS, mark
 from cap.words import digits
 
@@ -70,17 +70,8 @@ def box(axes: Axes, sides: Sequence[Enclosure], words: str | None, **look: Any) 
 
 def around(axes: Axes, sides: Sequence[Enclosure], part: float = 0.35) -> None:
     """Show a box and what is around it."""
-    (a, b), (c, d) = ((float(side.lower), float(side.upper)) for side in sides)
-    rim = part * (b - a), part * (d - c)
-    axes.set_xlim(a - rim[0], b + rim[0])
-    axes.set_ylim(c - rim[1], d + rim[1])
-
-
-def walls(axes: Axes, p: Parameters, *, over_time: bool = True) -> None:
-    """Draw both walls."""
-    for wall in (p.l, p.r):
-        line = axes.axhline if over_time else axes.axvline
-        line(float(wall), color=GREY, ls="--", lw=0.7)
+    low, high = ([float(getattr(side, end)) for side in sides] for end in ("lower", "upper"))
+    framed(axes, low, high, part, 0)
 
 
 def in_time(
@@ -138,7 +129,8 @@ def point(axes: Axes, claims: dict[str, Any], words: str | None = "fixed point (
     star(axes, (middle(claims["x"]), middle(claims["v"])), words)
 
 
-def legend(axes: Axes, figure: Figure, columns: int = 4) -> None:
-    """Explain the marks of some axes below the figure."""
-    handles, labels = axes.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=columns)
+def curve(coefficients: Sequence[tuple[int, int]], places: int, angles: Points) -> Points:
+    """Return the values of a real Fourier series at angles, given from 0 on in 10^-places."""
+    parts = [complex(float(f"{a}e-{places}"), float(f"{b}e-{places}")) for a, b in coefficients]
+    weights = np.array([parts[0], *(2 * part for part in parts[1:])])
+    return np.asarray((np.exp(1j * np.outer(angles, np.arange(len(weights)))) @ weights).real)

@@ -14,8 +14,8 @@ from cap.checker.kernel.theorem import Theorem
 from cap.floats.diagnostics.return_map import late
 from cap.floats.diagnostics.trajectory import trajectory
 from cap.floats.engine.releases import images
-from cap.pictures.style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, UNITS, undone
-from cap.pictures.theorems.parts import heading, middle, number, system, walls
+from cap.pictures.style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, UNITS, undone, walls
+from cap.pictures.theorems.parts import heading, middle, number, system
 
 PLACES, STEPS, VALUES, ITERATES = 1200, 60, 120, 30
 FEIGENBAUM = 4.6692016

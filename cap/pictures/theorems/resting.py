@@ -11,8 +11,8 @@ from cap.checker.kernel.theorem import Theorem
 from cap.floats.diagnostics.trajectory import trajectory
 from cap.floats.engine import swarm
 from cap.floats.findings import Floats
-from cap.pictures.style import BLACK, BLUE, CYCLE, GREEN, GREY, ORANGE, RED, UNITS
-from cap.pictures.theorems.parts import PALE_BLUE, heading, middle, number, plane, system, walls
+from cap.pictures.style import BLACK, BLUE, CYCLE, GREEN, GREY, ORANGE, RED, UNITS, walls
+from cap.pictures.theorems.parts import PALE_BLUE, heading, middle, number, plane, system
 
 ORBITS, PERIODS, SEED = 3000, 60, 1
 FAR = Fraction(100)  # walls that nothing reaches

@@ -12,9 +12,9 @@ from cap.checker.kernel.shapes import Enclosure
 from cap.checker.kernel.theorem import Theorem
 from cap.errors import BadInput
 from cap.floats.masses.mass_trajectory import trajectory
-from cap.floats.masses.particles import Particles
+from cap.floats.masses.particles import Particles, engine
 from cap.pictures.masses import MARKS, NAMES
-from cap.pictures.style import BLUE, CYCLE, GREEN, RED, UNITS, star
+from cap.pictures.style import BLUE, CYCLE, GREEN, RED, UNITS, legend, star, walls
 from cap.pictures.theorems.parts import (
     CIRCLE,
     PALE_BLUE,
@@ -23,21 +23,18 @@ from cap.pictures.theorems.parts import (
     multipliers,
     number,
     system,
-    walls,
 )
 from cap.pictures.times import mark
 
 PALE_GREEN = "#CDEBE2"
-PARTS = 5  # of the range of masses
 
 
 def elliptic(theorem: Theorem, figure: Figure) -> None:
     """Draw an orbit with twist, and its multipliers."""
     claims = theorem.claims
-    time, circle = figure.subplots(1, 2, width_ratios=[1.8, 1])
-    _in_time(theorem, time, claims["hit_times"])
-    turns = [2 * math.pi * middle(theta) for theta in claims["theta"]]
-    values = [complex(math.cos(a), s * math.sin(a)) for a in turns for s in (1, -1)]
+    circle = _beside(theorem, figure)
+    turns = [middle(theta) for theta in claims["theta"]]
+    values = [value for turn in turns for value in _pair(turn)]
     told = ", ".join(number(theta, 6) for theta in claims["theta"])
     multipliers(circle, values, rf"$e^{{\pm 2\pi i\theta_j}}$, $\theta$ = {told}")
     circle.text(0, 0, f"$\\det B$ =\n{number(claims['twist_determinant'], 6)}", ha="center",
@@ -49,15 +46,26 @@ def elliptic(theorem: Theorem, figure: Figure) -> None:
 def saddle(theorem: Theorem, figure: Figure) -> None:
     """Draw an orbit with a real pair of multipliers and one on the circle."""
     claims = theorem.claims
-    time, circle = figure.subplots(1, 2, width_ratios=[1.8, 1])
-    _in_time(theorem, time, claims["hit_times"])
-    angle = 2 * math.pi * middle(claims["rotation_number"])
+    circle = _beside(theorem, figure)
     real = [complex(middle(q)) for q in claims["multipliers"]]
-    values = [*real, *(complex(math.cos(angle), s * math.sin(angle)) for s in (1, -1))]
+    values = [*real, *_pair(middle(claims["rotation_number"]))]
     told = ", ".join(number(q, 6) for q in claims["multipliers"])
     multipliers(circle, values, f"{told}; two on the circle")
     figure.legend(loc="outside lower center", ncols=4)
     heading(figure, theorem, "Two masses: an orbit that does not attract, nor is stable")
+
+
+def _beside(theorem: Theorem, figure: Figure) -> Axes:
+    """Draw an orbit in time; return the axes beside it."""
+    axes: list[Axes] = figure.subplots(1, 2, width_ratios=[1.8, 1])
+    _in_time(theorem, axes[0], theorem.claims["hit_times"])
+    return axes[1]
+
+
+def _pair(turns: float) -> list[complex]:
+    """Return multipliers on the unit circle."""
+    angle = 2 * math.pi * turns
+    return [complex(math.cos(angle), s * math.sin(angle)) for s in (1, -1)]
 
 
 def sink(theorem: Theorem, figure: Figure) -> None:
@@ -120,8 +128,7 @@ def limits(theorem: Theorem, figure: Figure) -> None:
     line.set_title(f"contacts: {', '.join(claims['itinerary'])} (proved)")
     for axes, name in zip(below, ("flip", "stop"), strict=True):
         _at_a_limit(theorem, axes, name)
-    handles, labels = below[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=3)
+    legend(below[0], figure, 3)
     heading(figure, theorem, "Two masses: where the orbit ends, as the second mass falls")
 
 
@@ -143,13 +150,11 @@ def _before(
     t, xi, *speeds = point
     p = system(theorem)
     places = {"hit r": (xi, float(p.r)), "hit l": (float(p.l), xi)}.get(word, (xi, xi))
-    x, v = list[float](), list[float]()
-    oscillators = Particles(p, tuple(masses)).oscillators()
-    for o, place, speed in zip(oscillators, places, speeds, strict=True):
-        flight, begin = o.launch(1 if speed > 0 else -1, o.moment(t), place, speed), o.moment(0.0)
-        x.append(o.position(flight, begin))
-        v.append(o.velocity(flight, begin))
-    return *x, *v
+    flow, angle = engine(Particles(p, tuple(masses))), float(p.omega) * t
+    mode = "".join("+" if speed > 0 else "-" for speed in speeds)
+    y = np.array([*places, *speeds, math.cos(angle), math.sin(angle), 1.0])
+    back = flow.exponentials[flow.modes.index(mode)].flown(y, np.array([-t]))
+    return tuple(back[0, : 2 * len(masses)].tolist())
 
 
 def _in_time(theorem: Theorem, axes: Axes, times: Sequence[Enclosure]) -> None:
