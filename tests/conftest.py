@@ -29,9 +29,11 @@ def pytest_report_header():
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
     """Leave what repeats other tests, or is long and guards no theorem, to the slow ones."""
-    names = repeated.listed()
+    repeating, lengthy = (repeated.listed(file) for file in (repeated.LIST, repeated.LENGTHY))
     for item in items:
-        if item.nodeid in names:
+        if item.nodeid in repeating:
+            item.add_marker(pytest.mark.repeated)
+        if item.nodeid in repeating | lengthy or item.get_closest_marker("repeated"):
             item.add_marker(pytest.mark.slow)
 
 

@@ -9,9 +9,11 @@ and does not change a certificate number by number.
 
 Of the prover, of floats, pictures, commands and the audit: what is proved is verified by the
 checker, and a stored certificate is made again by its command.  All else that takes longer than
-`LONG`, in a fresh clone, where functions are to be compiled, is listed.
+`LONG`, in a fresh clone, where functions are to be compiled, is listed: it is added to the list,
+for without it another test may be the first that waits for a compiled function.
 
-In collection such tests are marked slow (`conftest`).  As a plugin of pytest this module notes for
+In collection such tests are marked slow, those of the first list also repeated: `.ci/run` leaves
+these out, the server runs them beside it (`conftest`).  As a plugin of pytest this module notes for
 each test its time, the places, and whether there was a sentence: `-p repeated`.
 """
 
@@ -38,10 +40,9 @@ GUARDS = (  # of other rooms: who looks at certificates that are written, or at 
 NOTES = "CAP_REPEATED"  # where they go: a directory
 
 
-def listed():
-    """Return the names of the tests that repeat others, or are long."""
-    lines = [line for file in (LIST, LENGTHY) for line in file.read_text("utf-8").split("\n")]
-    return frozenset(lines) - {""}
+def listed(file):
+    """Return the names of tests in a list."""
+    return frozenset(file.read_text("utf-8").split("\n")) - {""}
 
 
 def repeating(notes):
@@ -68,8 +69,7 @@ def lengthy(notes):
 
 def main():
     """Run all quick tests and those listed; write the lists."""
-    for file in (LIST, LENGTHY):
-        file.write_text("", "utf-8")
+    LIST.write_text("", "utf-8")
     with tempfile.TemporaryDirectory() as place:
         path = os.pathsep.join([str(TESTS), os.environ.get("PYTHONPATH", "")])
         words = [sys.executable, "-m", "pytest", "-p", "repeated"]
@@ -81,7 +81,8 @@ def main():
             for line in file.read_text("utf-8").splitlines()
         ]
     checking = [note for note in notes if note[0].startswith(ROOMS)]
-    for file, names in ((LIST, repeating(checking)), (LENGTHY, lengthy(notes))):
+    long = sorted({*listed(LENGTHY), *lengthy(notes)})
+    for file, names in ((LIST, repeating(checking)), (LENGTHY, long)):
         file.write_text("".join(f"{name}\n" for name in names), "utf-8")
 
 

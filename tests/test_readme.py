@@ -41,11 +41,13 @@ def test_two_commands():
 
 
 def test_slow_tests_are_run():
-    """By CI, since the README's command leaves them out; and those in a browser."""
+    """By CI, since the README's command leaves them out; those in a browser, and that repeat."""
     with (ROOT / "pyproject.toml").open("rb") as file:
         options = tomllib.load(file)["tool"]["pytest"]["ini_options"]["addopts"]
     assert options[-2:] == ["-m", "not slow and not browser"]
-    assert "python -m pytest -m slow" in CI
+    assert 'python -m pytest -m "slow and not repeated"' in CI
+    workflow = (ROOT / ".github/workflows/ci.yml").read_text("utf-8").splitlines()
+    assert "      - run: python -m pytest -m repeated" in workflow
     assert "    python -m pytest -n0 -m browser" in CI
 
 

@@ -12,12 +12,11 @@ from branches import certificate
 from own_systems import rejected
 
 from cap.certificate.writer import dumps
-from cap.checker.kernel.certificate import read
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.system.curve import Cell, Line, determinant, minors
+from cap.checker.system.curve_multipliers import happens
 from cap.checker.system.curve_sentence import _values
-from cap.checker.theorems.contacts_branch import ContactsBranch
 from cap.checker.verdict import check, words
 
 E = 0.5
@@ -341,14 +340,13 @@ def test_a_zero_among_those_of_another_cell():
 @pytest.mark.parametrize(("product", "accepted"), [("1/2", True), ("-1", False)])
 def test_a_pair_needs_more_than_its_count(product, accepted):
     """Where 1 or -1 may be a multiplier of the short cell, it may be that which passes."""
-    theorem = ContactsBranch(read(dumps(certificate("flip")).encode()), lambda _: None)
     found = iter([[thin(0), thin("1/2")], [thin(0), thin(2)], [thin(0), thin(product)]])
     fine = SimpleNamespace(steps=lambda _: [], multipliers=lambda _: next(found))
     line = Line(1, (Fraction(0), Fraction(1)), [], [], [])
     pieces = SimpleNamespace(line=line, at=lambda _: [], box=[])
     given = {"kind": "pair", "outside": [0, 2]}
     if accepted:
-        theorem.happens(0, given, fine, pieces)
+        happens(0, given, fine, pieces)
     else:
         with pytest.raises(Rejected, match="a multiplier may be 1 or -1"):
-            theorem.happens(0, given, fine, pieces)
+            happens(0, given, fine, pieces)

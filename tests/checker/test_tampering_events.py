@@ -30,10 +30,9 @@ SOON = {f"periodic-{n}" for n in (4, 8, 9, 11)} | {"persistence"} | {p.stem for 
 
 
 def of(paths):
-    """Return a mark for tests of files; those with no kind of event of their own are slow."""
-    cases = [
-        pytest.param(p, id=p.stem, marks=[pytest.mark.slow] * (p.stem not in SOON)) for p in paths
-    ]
+    """Return a mark for tests of files; those with no kind of event of their own repeat others."""
+    repeats = [pytest.mark.repeated]
+    cases = [pytest.param(p, id=p.stem, marks=repeats * (p.stem not in SOON)) for p in paths]
     return pytest.mark.parametrize("path", cases)
 
 

@@ -14,22 +14,10 @@ are their squares.
 2. *Nothing else happens*: over all zeros of a cell each leg is quiet, as in ``contacts``.  So all
    zeros of F on the cells are periodic orbits.  p takes on the curve, which is connected, all
    values between any two.
-3. *Multipliers.*  From their elementary symmetric functions e_j over all of a cell: how many are
-   outside the unit circle, if none is on it.  Or, for two: on a cell along p the derivative of F by
-   the others is not singular, so 1 is no multiplier; if 1 + e_1 + e_2 does not vanish, -1 is none;
-   and if |e_2| is not 1, a pair that is not real is not on the circle.  So none is on it, and the
-   number outside is the same on all of the cell: that on a cell next to it, with which it has an
-   orbit in common.
-4. *Points.*  A short cell on one of the cells, at the ends of which a function has opposite signs,
-   so that it is 0 between them; ``outside``, if it is given, counts multipliers at both ends.
-   - *flip*: the product of all 1 + multiplier, 1 + e_1 + e_2 + ...: one is -1;
-   - *pair*: the counts differ by two, and neither 1 + e_1 + ... nor 1 - e_1 + e_2 - ... vanishes on
-     the short cell, so that 1 and -1 are no multipliers there.  Those that are real, or inside or
-     outside the circle, cannot change the count without one on the circle: two that are not real
-     are on it for some orbit between;
-   - *fold*: along an unknown that is not p, dp/ds changes its sign: p has an extremum between, and
-     where dp/ds = 0 the derivative of F by the other unknowns is singular, so that 1 is a
-     multiplier.
+3. *Multipliers.*  How many are outside the unit circle on a cell, if none is on it
+   (``curve_multipliers``).
+4. *Points.*  On a short cell that lies on one of the cells a multiplier is -1, or two are on the
+   unit circle, or p has an extremum (``curve_multipliers``).
 5. *Grazes.*  One more cell, which has a point in common with one of the cells.  On it a guard h of
    a leg has one least value m in a window of times, monotone along the cell, and is positive on the
    leg outside of the window; all else is quiet (``graze``).  m vanishes for one s, between the ends
@@ -60,6 +48,7 @@ from cap.checker.kernel.shapes import Field, Many, Quantity, Table, Whole, Word
 from cap.checker.kernel.theorem import BITS
 from cap.checker.system.contacts import Equations, Round
 from cap.checker.system.curve import Cell, Curve, Line
+from cap.checker.system.curve_multipliers import counts, happens
 from cap.checker.system.curve_sentence import Sentence
 from cap.checker.system.given import GUARDS, MODES, STATES
 from cap.checker.system.graze import drift, inside, sign, turns, window
@@ -67,7 +56,6 @@ from cap.checker.system.legs import Leg
 from cap.checker.system.lost_contact import LostContact
 from cap.checker.system.passage import Contact, Step
 from cap.checker.system.quiet import watched
-from cap.checker.system.stability import outside
 from cap.checker.system.symmetry import Symmetry
 from cap.checker.theorems.contacts import CONTACTS, CUTS, MOST_BITS, PERIODS, UNKNOWNS, Contacts
 
@@ -243,21 +231,9 @@ class ContactsBranch(Contacts):
         return self.curve.multipliers(steps)
 
     def counted(self, e: list[list[Interval]]) -> None:
-        """Prove how many multipliers are outside the unit circle, on the cells of which it is said.
-
-        The numbers are known of some cells, and are those of cells next to them.
-        """
-        known = [outside(each) for each in e]
-        size = self.curve.size
-        steady = [
-            cell.line.along == size and _is_steady(each)
-            for cell, each in zip(self.cells, e, strict=True)
-        ]
-        for order in (range(1, len(e)), range(len(e) - 2, -1, -1)):
-            for k in order:
-                if known[k] is None and steady[k]:
-                    known[k] = known[k - order.step]
-        for k, (cell, count) in enumerate(zip(self.claims["cells"], known, strict=True)):
+        """Prove how many multipliers are outside the unit circle, where it is claimed."""
+        counted = zip(self.claims["cells"], counts(self.cells, e), strict=True)
+        for k, (cell, count) in enumerate(counted):
             certain = cell.get("outside", count) == count
             need(certain, f"cell {k}: so many multipliers are not certain to be outside")
         self.step("so many multipliers are outside the unit circle, and none on it")
@@ -272,7 +248,7 @@ class ContactsBranch(Contacts):
             short, on = fine.cell(Line.of(point["short"]), C), self.cells[point["cell"]]
             need(self.lies(short, on), f"point {k} is not certain to be on its cell")
             self.compare(f"points[{k}].at", point["at"], short.box[-1])
-            self.happens(k, point, fine, short)
+            happens(k, point, fine, short)
             found.append(short)
         self.step("each point lies on its cell, and what is claimed happens there")
         return found
@@ -376,50 +352,9 @@ class ContactsBranch(Contacts):
         start = curve.equations.start(zeros, j)
         return Leg(self.p, self.orbit.flown(j), start, after)
 
-    def happens(self, k: int, point: dict[str, Any], fine: Curve, short: Cell) -> None:
-        """Prove what is claimed of one point."""
-        steps = [fine.steps(short.at(s)) for s in short.line.ends]
-        e = [fine.multipliers(step) for step in steps]
-        counted = "outside" not in point or [outside(each) for each in e] == point["outside"]
-        need(counted, f"point {k}: not so many multipliers are certain to be outside at its ends")
-        kind, along = point["kind"], short.line.along
-        if kind == "pair":
-            need("outside" in point, f"point {k}: nothing is counted at its ends")
-            before, after = point["outside"]
-            need(abs(before - after) == 2, f"point {k}: the counts do not differ by two")
-            over = fine.multipliers(fine.steps(short.box))
-            real = any(_product(over, sign).contains_zero() for sign in (1, -1))
-            need(not real, f"point {k}: a multiplier may be 1 or -1")
-            return
-        if kind == "fold":
-            need(along < fine.size, f"point {k}: along the parameter there is no fold")
-            a, b = (fine.rate(step, along) for step in steps)
-        else:
-            a, b = (_product(each, 1) for each in e)
-        differ = (a.is_positive() and (-b).is_positive()) or (
-            (-a).is_positive() and b.is_positive()
-        )
-        need(differ, f"point {k}: the signs at its ends are not certain to differ")
-
     def words(self) -> str:
         """Return the theorem in one line."""
         return Sentence(self.p, self.claims).whole()
-
-
-def _is_steady(e: list[Interval]) -> bool:
-    """Return whether of two multipliers none is -1, nor two that are not real on the circle."""
-    if len(e) != 2 or _product(e, 1).contains_zero():
-        return False
-    one, size = e[1].integer(1), e[1].magnitude()
-    return size.is_before(one) or one.is_before(size)
-
-
-def _product(e: list[Interval], sign: int) -> Interval:
-    """Return the product of all 1 + sign x multiplier."""
-    total = e[0].integer(1)
-    for k, x in enumerate(e, 1):
-        total = total + x * sign**k
-    return total
 
 
 THEOREM = ContactsBranch
