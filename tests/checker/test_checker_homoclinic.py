@@ -71,6 +71,19 @@ def test_points_that_are_none():
         theorem.apart(place)
 
 
+@pytest.mark.parametrize("z", ["x", "v"])
+def test_points_that_differ_in_one_coordinate(z):
+    """They are two, whichever it is."""
+    (point,) = STORED["claims"]["points"]
+    other = point | {z: [str(Fraction(end) + Fraction(1, 10)) for end in point[z]]}
+    given = read(encode(changed(STORED, "claims", "points", [point, other])))
+    steps = []
+    theorem = Homoclinic(given, steps.append)
+    place = [Interval.enclosing(*theorem.claims[y][:2], BITS) for y in ("x", "v")]
+    theorem.apart(place)
+    assert steps == ["the points are not P*, and differ from each other"]
+
+
 def test_hints_that_prove_nothing():
     """Starts, frames, reaches, slopes and windows that do not serve."""
     (orbit,), frame = STORED["hints"]["orbits"], STORED["hints"]["frame"]

@@ -165,6 +165,15 @@ def test_the_rotation_number_of_iterates():
         assert abs(total / weight - float(frame.angle.lower)) > 0.1 * abs(float(tau[0].lower)) * s
 
 
+def test_a_linear_map_does_not_twist():
+    """Its jets have no terms of a higher degree, not even zeros."""
+    _, tau = run(linear(5, ((1, -1), (Fraction(1, 2), Fraction(1, 2)))))
+    assert len(tau) == 2
+    for t in tau:
+        assert t.contains_zero()
+        assert t.magnitude().upper < Fraction(1, 10**50)
+
+
 @pytest.mark.parametrize(("rows", "order"), [(((-1, -1), (1, 0)), 3), (((0, -1), (1, 0)), 3)])
 def test_resonances_of_order_three_and_four_reject(rows, order):
     """e^3 = 1 or e^4 = 1 leaves a zero divisor, already at order 3."""
