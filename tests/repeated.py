@@ -31,11 +31,11 @@ LIST, LENGTHY = TESTS / "repeated.txt", TESTS / "long.txt"
 ROOMS = "tests/checker/", "tests/certificate/"
 QUICK = 0.12  # seconds of processor time
 TAMPERING = "every_number", "every_end"  # who changes numbers one by one repeats nothing
-LONG = 0.3  # seconds of processor time, with that of the processes begun
+LONG = 0.2  # seconds of processor time, with that of the processes begun
 GUARDING = *ROOMS, "tests/formal/"
-GUARDS = (  # of other rooms: who looks at certificates that are written, or at the sources
-    *("reproduced", "same_bytes", "rejects", "satisfy_the_schema", "elliptic_proves"),
-    *("imports", "flights_stand"),
+GUARDS = (  # of other rooms: who looks at certificates, at what is refused, or at the sources
+    *("reproduced", "same_bytes", "satisfy_the_schema", "elliptic_proves", "truth"),
+    *("reject", "refuse", "wrong", "imports", "flights_stand"),
 )
 NOTES = "CAP_REPEATED"  # where they go: a directory
 

@@ -35,14 +35,16 @@ def folder() -> Path:
 
 @cache
 def sources() -> str:
-    """Return a digest of all that may decide a claim: modules, data beside them, the libraries.
+    """Return a digest of all that may decide any claim: modules, data, tables, the libraries.
 
-    Whatever changes there, everything is decided anew: no list of imports can be wrong.
+    Whatever changes there, everything is decided anew: no list of imports can be wrong.  What a
+    claim itself is given is not here: see `Claim.content`.
     """
     total = hashlib.sha256(" ".join([sys.version, *map(version, LIBRARIES)]).encode())
     for root in (tree.ROOT, tree.inside("proofs")):
         for file in sorted(root.rglob("*.*")):
-            if file.suffix in (".py", ".json") and file.name != "recorded.json":
+            read = file.suffix in (".py", ".json") or file.parent.name == "tables"
+            if read and file.name != "recorded.json":
                 name = file.relative_to(root).as_posix()
                 total.update(name.encode() + hashlib.sha256(file.read_bytes()).digest())
     return total.hexdigest()

@@ -11,7 +11,7 @@ import ast
 import math
 import operator
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from string import Formatter
@@ -153,13 +153,3 @@ def digits(printed: str) -> int:
 def unit(printed: str) -> Fraction:
     """Return one unit of the last digit."""
     return Fraction(1, 10 ** digits(printed))
-
-
-def markdown(rows: Iterable[Comparison]) -> list[str]:
-    """Return a table."""
-    lines = ["| what | paper | ours | agrees? | why not, or a remark |", "|---|---|---|---|---|"]
-    words = {Outcome.CONFIRMED: "yes", Outcome.UNCHECKABLE: "not said"}
-    for row in rows:
-        cells = (row.what, row.paper, row.ours, words.get(row.outcome, "**no**"), row.reason)
-        lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
-    return lines

@@ -15,6 +15,8 @@ from cap.audit.manuscript import Manuscript, faults
 from cap.audit.subject import cached
 from cap.errors import BadInput
 
+_LINE = r"^line \d+: "  # of a fault, which a change may move
+
 
 @dataclass(frozen=True)
 class Change:
@@ -75,8 +77,8 @@ def patch(path: Path) -> tuple[str, list[str], list[str]]:
     """
     old = Manuscript.read(path)
     new, others = corrected(old)
-    known = {_unplaced(each) for each in faults(old.text)}
-    if wrong := [each for each in faults(new.text) if _unplaced(each) not in known]:
+    known = {re.sub(_LINE, "", each) for each in faults(old.text)}
+    if wrong := [each for each in faults(new.text) if re.sub(_LINE, "", each) not in known]:
         raise BadInput(f"the corrected text would be no TeX: {'; '.join(wrong)}")
     before, after = (each.text.splitlines(keepends=True) for each in (old, new))
     difference = difflib.unified_diff(before, after, f"a/{path.name}", f"b/{path.name}")
@@ -91,8 +93,3 @@ def misfit(change: Change) -> str:
         f"became of each sentence): not {change.times} times in the file: "
         f"{' '.join(change.old.split())}"
     )
-
-
-def _unplaced(fault: str) -> str:
-    """Return a fault without its line, which a change may move."""
-    return re.sub(r"^line \d+: ", "", fault)

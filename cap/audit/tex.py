@@ -40,9 +40,18 @@ _AS_PYTHON = (  # one after the other
 )
 
 
-def expression(text: str, names: Mapping[str, Any]) -> Any:
-    """Return the expression that a formula means; `NotProved` if it is not understood."""
-    code = _NAME.sub(_name, _SKIP.sub(" ", text.replace(r"\mathrm{sech}", r"\sech")))
+def meaning(text: str, names: Mapping[str, Any]) -> Any:
+    """Return what a formula means, in which each part between commas may have one ±.
+
+    Raises `NotProved` if it is not understood.
+    """
+    parts = [
+        part.replace("\\pm", sign)
+        for part in (text.split(",\\ ") if "\\pm" in text else [text])
+        for sign in ("+-" if "\\pm" in part else "+")
+    ]
+    whole = ",".join(parts).replace(r"\mathrm{sech}", r"\sech")
+    code = _NAME.sub(_name, _SKIP.sub(" ", whole))
     if not re.fullmatch(r"(?:[\w\s(){}|^,/+-]|\d\.\d)*", code):
         raise NotProved("tex", f"this is not understood: {text}")
     for pattern, new in _AS_PYTHON:
@@ -56,16 +65,6 @@ def expression(text: str, names: Mapping[str, Any]) -> Any:
     except (SyntaxError, NameError, TypeError, ValueError, TokenError) as error:
         raise NotProved("tex", f"this is not understood: {text} ({error})") from None
     return list(value) if isinstance(value, tuple) else value
-
-
-def meaning(text: str, names: Mapping[str, Any]) -> Any:
-    """Return what a formula means, in which each part between commas may have one ±."""
-    parts = [
-        part.replace("\\pm", sign)
-        for part in (text.split(",\\ ") if "\\pm" in text else [text])
-        for sign in ("+-" if "\\pm" in part else "+")
-    ]
-    return expression(parts[0] if len(parts) == 1 else ",".join(parts), names)
 
 
 def _name(found: re.Match[str]) -> str:

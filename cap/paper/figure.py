@@ -1,7 +1,7 @@
 """A figure of the paper: its table, what finds the numbers there, its picture."""
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cache, partial
 from importlib import import_module
@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from cap.audit import tables
-from cap.audit.comparison import Comparison, markdown
+from cap.audit.comparison import Comparison
+from cap.audit.verdict import Outcome
 from cap.errors import BadInput
 from cap.floats.engine import swarm
 from cap.floats.findings import Findings, Floats, State
@@ -72,6 +73,16 @@ class Compared(Findings):
         head = f"## {self.label}: {self.title}"
         number = f"{agree} of {len(self.rows)} agree"
         return [head, "", number, "", *markdown(self.rows)]
+
+
+def markdown(rows: Iterable[Comparison]) -> list[str]:
+    """Return a table."""
+    lines = ["| what | paper | ours | agrees? | why not, or a remark |", "|---|---|---|---|---|"]
+    words = {Outcome.CONFIRMED: "yes", Outcome.UNCHECKABLE: "not said"}
+    for row in rows:
+        cells = (row.what, row.paper, row.ours, words.get(row.outcome, "**no**"), row.reason)
+        lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
+    return lines
 
 
 @dataclass(frozen=True)

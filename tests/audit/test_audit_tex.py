@@ -41,7 +41,7 @@ WALL = "saltation.wall-entry"
 )
 def test_what_a_formula_means(text, expected):
     """Products without signs, functions without brackets, indices."""
-    assert sp.simplify(tex.expression(text, NAMES) - sp.sympify(expected, locals=NAMES)) == 0
+    assert sp.simplify(tex.meaning(text, NAMES) - sp.sympify(expected, locals=NAMES)) == 0
 
 
 def test_lists():
@@ -57,7 +57,7 @@ def test_lists():
 def test_what_means_nothing(text):
     """It is refused."""
     with pytest.raises(NotProved):
-        tex.expression(text, NAMES)
+        tex.meaning(text, NAMES)
 
 
 def test_another_formula_in_the_erratum(monkeypatch):

@@ -32,7 +32,7 @@ SLOW = {"F": "1", "omega": "1", "f": "0.39", "l": "-1", "r": "1"}
     [
         {"digits": 6},
         {"digits": 30, "order": 5},
-        {"digits": 60, "order": 7, "box_radius": "0.001"},
+        pytest.param({"digits": 60, "order": 7, "box_radius": "0.001"}, marks=pytest.mark.slow),
         {"digits": 12, "orbit": ORBITS["mirror"]},
         {"digits": 12, "box_radius": "0.01"},
         {"digits": 12, "theorem": "saddle", "box_radius": "0.004"},
@@ -44,7 +44,7 @@ SLOW = {"F": "1", "omega": "1", "f": "0.39", "l": "-1", "r": "1"}
             "orbit": ("1.2576445", "1.162979"),
             "theorem": "saddle",
         },
-        {"digits": 150, "theorem": "saddle"},
+        pytest.param({"digits": 150, "theorem": "saddle"}, marks=pytest.mark.slow),
     ],
     ids=str,
 )

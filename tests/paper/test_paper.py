@@ -9,7 +9,7 @@ import matplotlib.image
 import numpy as np
 import pytest
 
-from cap.audit.comparison import NOT_ROUNDED, Comparison, compared, markdown, value
+from cap.audit.comparison import NOT_ROUNDED, Comparison, compared, value
 from cap.audit.verdict import Outcome
 from cap.errors import BadInput, NotProved
 from cap.explore import paper as command
@@ -22,7 +22,7 @@ from cap.paper import (
     forcing,
     sketches,
 )
-from cap.paper.figure import Run, figure, labelled, labels, percent
+from cap.paper.figure import Run, figure, labelled, labels, markdown, percent
 from cap.parameters import PAPER, at
 from cap.proofs.census import census
 from cap.runner import Runner

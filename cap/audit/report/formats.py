@@ -27,17 +27,14 @@ FORMATS = {
     "latex": "audit.tex",
 }
 WIDTH = 100  # of a terminal
-_ENDS = [
-    "block_start",
-    "block_end",
-    "variable_start",
-    "variable_end",
-    "comment_start",
-    "comment_end",
-]
-_TEX: dict[str, Any] = dict(
-    zip((f"{each}_string" for each in _ENDS), ["<%", "%>", "<<", ">>", "<#", "#>"], strict=True)
-)
+_TEX: dict[str, Any] = {
+    "block_start_string": "<%",
+    "block_end_string": "%>",
+    "variable_start_string": "<<",
+    "variable_end_string": ">>",
+    "comment_start_string": "<#",
+    "comment_end_string": "#>",
+}
 _MARKDOWN = re.compile(r"([\\`*_|<>\[\]~])")
 _ID = re.compile(r"\b[a-z]+(?:-[a-z0-9]+)*\.[a-z0-9]+(?:-[a-z0-9]+)*\b")
 

@@ -14,15 +14,12 @@ from cap.audit.verdict import Outcome, Verdict
 
 @dataclass(frozen=True)
 class Entry:
-    """A claim with its verdict."""
+    """A claim with its verdict, the place from which it is taken, and the line of its quotation."""
 
     claim: Claim
     verdict: Verdict
-
-    @property
-    def at(self) -> Place:
-        """The place from which the claim is taken."""
-        return labels.stored().place(self.claim.where)
+    at: Place
+    line: int
 
     @property
     def place(self) -> str:
@@ -31,11 +28,6 @@ class Entry:
             return "Abstract"
         label = f", {self.at.label}" if self.at.number.startswith("(") else f" ({self.at.label})"
         return f"{self.at.name}{label}"
-
-    @property
-    def line(self) -> int:
-        """The line of the TeX file in which its quotation begins; 0 if there is none."""
-        return labels.stored().lines.get(self.claim.id, 0)
 
     @property
     def where(self) -> str:
@@ -149,8 +141,12 @@ class Report:
     @cached_property
     def by_id(self) -> dict[str, Entry]:
         """The entries by the ids of the claims."""
-        known = ledger.claims()
-        return {name: Entry(known[name], verdict) for name, verdict in self.verdicts.items()}
+        paper, found = labels.stored(), {}
+        for name, verdict in self.verdicts.items():
+            claim = ledger.claims()[name]
+            line = paper.lines.get(name, 0)  # 0: it has no quotation
+            found[name] = Entry(claim, verdict, paper.place(claim.where), line)
+        return found
 
     @property
     def whole(self) -> bool:
