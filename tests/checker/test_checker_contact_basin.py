@@ -407,6 +407,20 @@ def test_a_landing_is_as_sharp_as_its_window():
     assert v.rad < s - a
 
 
+def test_a_cell_of_more_than_a_unit():
+    """From h = 8 with |h'| <= 2, P = 1, e = 1/2: all of h' after the hit, in closed form."""
+    one, none = Double(1.0), Double(0.0)
+    ball = fates(0.0)
+    cell = Cell(0.0, Double(8.0), none, (one, none, none, one), (0.0, 2.0), -2.0, 2.0)
+    hit = Flights(ball.pull, cell).during(2.47, 6.48)._replace(speed=Double(4.24, 0.24))
+    middle = cell._replace(r=(0.0, 0.0), down=0.0, up=0.0)
+    thin = Flights(ball.pull, middle).during(3.999, 4.001)
+    after = ball.after(cell, hit, thin)
+    for v in np.linspace(-2, 2, 41):
+        fast = math.sqrt(v * v + 16)
+        assert after.down <= 0.5 * fast - (6.48 - (v + fast)) <= after.up
+
+
 def test_windows_in_which_some_rise():
     """They are none: h' < 0 throughout."""
     flights = flight(0.5, 1.0)  # highest at s = 1, hits at s = 2.41

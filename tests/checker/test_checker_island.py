@@ -283,6 +283,15 @@ def test_all_of_a_segment_is_looked_at():
     assert len(seen) == 4
 
 
+@pytest.mark.parametrize("rows", [((2, 1), (-1, 3)), ((1, -4), (2, 1)), ((-3, 1), (5, 2))])
+def test_the_norm_of_the_inverse_of_the_axes(rows):
+    """The larger sum of a row, in absolute values: of vectors with entries 1 and -1."""
+    island = Island(read(encode(GOOD)), lambda _: None)
+    island.hints["axes"] = [list(map(Fraction, row)) for row in rows]
+    ends = [np.linalg.solve(rows, corner) for corner in ((1, 1), (1, -1))]
+    assert float(island.stretch()) == pytest.approx(np.abs(ends).max())
+
+
 def test_what_is_between_the_rotation_numbers():
     """That of P* on either side of that of the curve, or about it."""
     value = rotation.value([2], [1], 96)

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import copy
 from fractions import Fraction
+from types import SimpleNamespace
 
 import pytest
 
 from cap.certificate.latex import macros
+from cap.checker.flow.losses import INVERSE, Lossy
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.jet import Centred, Jet
 from cap.checker.verdict import words
 from checker.altered import changed, decimal, encode, fits_the_schema, rejected, verify
 from checker.forge_hybrid import forge_periodic, forge_persistence
@@ -270,3 +274,16 @@ def test_words_and_macros(damped):
 def test_the_schema(damped):
     """The JSON Schema describes these certificates exactly."""
     fits_the_schema(damped)
+
+
+def test_what_a_drag_is_divided_by():
+    """1/(mu^2 + omega^2), of a drag that is a parameter."""
+    m, z = (Interval.enclosing(Fraction(a), Fraction(b), 96) for a, b in (("1/2", "1/2"), (0, 1)))
+    centre, box = (Jet(1, {(0,): q, (1,): q.integer(1)}) for q in (m, z))
+    mu = Centred(centre.truncated(0), box, [z - m])
+    given = SimpleNamespace(varying=lambda _: {"mu": mu})
+    found = Lossy._parameters(given, SimpleNamespace(omega=Fraction(3)))[INVERSE]
+    assert found.centre.constant.lower <= Fraction(4, 37) <= found.centre.constant.upper
+    assert found.centre.constant.width < 100
+    assert found.value.lower <= Fraction(1, 10)
+    assert found.value.upper >= Fraction(1, 9)
