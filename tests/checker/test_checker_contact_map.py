@@ -116,6 +116,15 @@ def test_enclosures_contain_the_next_contact(name):
                 assert moved.lower - 1e-11 <= new.mid - old.mid <= moved.upper + 1e-11
 
 
+@pytest.mark.parametrize(("low", "high"), [("-1/3", "2/7"), ("1/3", "1/3"), ("10", "11")])
+def test_doubles_contain_an_interval(low, high):
+    """Both of its ends, and not much more."""
+    x = Interval.enclosing(Fraction(low), Fraction(high), contact_map.BITS)
+    found = double(x)
+    assert found.lower <= x.lower <= x.upper <= found.upper
+    assert found.upper - found.lower <= float(x.upper - x.lower) + 1e-12
+
+
 def test_a_divisor():
     """The speed after a contact times D, over D, which depends on time and speed: the same map."""
     given = system("1/2", "4/5")
