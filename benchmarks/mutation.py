@@ -85,7 +85,7 @@ class Runner:
         options = ["-x", "-q", "--tb=no", "--assert=plain", "-o", "addopts="]
         for plugin in ("cacheprovider", "unraisableexception", "threadexception", "faulthandler"):
             options += ["-p", f"no:{plugin}"]
-        signal.alarm(0 if self.chosen is None else 60)  # until the first test
+        limited(0 if self.chosen is None else 60)  # until the first test
         status = pytest.main([*options, *files], [self])
         return self.failed or ("" if status == 0 else f"status {status}")
 
@@ -112,7 +112,7 @@ class Runner:
         start, before = time.process_time(), self.spent
         SEEN.clear()
         if self.chosen is not None:
-            signal.alarm(int(10 + 20 * self.chosen[item.nodeid]))
+            limited(10 + 20 * self.chosen[item.nodeid])
         yield
         self.seconds[item.nodeid] = time.process_time() - start - (self.spent - before)
         found = self.lines.setdefault(item.nodeid, defaultdict(list))
@@ -122,6 +122,11 @@ class Runner:
     def pytest_runtest_logreport(self, report):
         """Remember the test that failed."""
         self.failed = self.failed or (report.nodeid if report.failed else "")
+
+
+def limited(seconds: float) -> None:
+    """End this process after so many seconds of its own time, however busy the machine is."""
+    signal.setitimer(signal.ITIMER_PROF, seconds)
 
 
 def forked(action) -> int:

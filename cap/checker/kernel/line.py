@@ -44,7 +44,7 @@ _WEIGHTS = tuple(1 + k / 4 for k in range(DEGREE + 1))
 _ORDERS = tuple(range(DEGREE + 1))
 _ZEROS = (0.0,) * DEGREE
 DEGREES = _ORDERS
-_BINOMIALS = [[comb(n, k) for k in _ORDERS] for n in _ORDERS]
+_BINOMIALS = [[float(comb(n, k)) for k in _ORDERS] for n in _ORDERS]
 PARTS = [(k, k, k + 1) for k in _ORDERS[1:]]
 BEND = 1.2  # of a cosine and a sine, at most, for each unit of the norms of both
 
