@@ -41,9 +41,9 @@ def sources() -> str:
     claim itself is given is not here: see `Claim.content`.
     """
     total = hashlib.sha256(" ".join([sys.version, *map(version, LIBRARIES)]).encode())
-    for root in (tree.ROOT, tree.inside("proofs")):
+    for root in (tree.ROOT, tree.inside("proofs"), tree.inside("examples")):
         for file in sorted(root.rglob("*.*")):
-            read = file.suffix in (".py", ".json") or file.parent.name == "tables"
+            read = file.suffix in (".py", ".json", ".csv") or file.parent.name == "tables"
             if read and file.name != "recorded.json":
                 name = file.relative_to(root).as_posix()
                 total.update(name.encode() + hashlib.sha256(file.read_bytes()).digest())

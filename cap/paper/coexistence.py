@@ -11,8 +11,10 @@ from cap.paper.certified import proves, theorem
 from cap.paper.figure import Found, Run
 from cap.paper.rows import Row, Rows
 from cap.parameters import at
+from cap.sets import interval
 
 F = "3"
+PLACES = 30
 STARTS = {"focus": (0.4064, -0.6708), "saddle": (0.1992, -1.4002)}
 
 
@@ -32,10 +34,11 @@ def orbit(_run: Run, name: str) -> Found:
     """Prove an orbit: the claims of the theorem, and what follows."""
     own = theorem("periodic", STARTS[name], F)
     product = math.prod(float(low) for low, _ in own["turning_factors"])
-    size = math.sqrt(float(own["determinant"][0]))  # of multipliers that are complex
+    ends = (interval.ball(interval.stated(end)) for end in own["determinant"])
+    modulus = interval.hull(*ends).sqrt()  # of multipliers that are complex
     return own | {
         **events.counted(own["itinerary"]),
-        "modulus": [f"{size:.15f}"],
+        "modulus": interval.outward(modulus, PLACES),
         "product": product,
         "error": abs(product - float(own["determinant"][0])),
     }

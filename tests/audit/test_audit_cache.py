@@ -92,7 +92,9 @@ def test_the_folder(monkeypatch, tmp_path):
     assert cache.folder() == tmp_path / "cap" / "audit"
 
 
-@pytest.mark.parametrize("name", ["cap/b.py", "cap/a/b.json", "cap/a/tables/b.toml", "proofs/b.py"])
+@pytest.mark.parametrize(
+    "name", ["cap/b.py", "cap/a/b.json", "cap/a/tables/b.toml", "proofs/b.py", "examples/b.csv"]
+)
 def test_the_digest_depends_on_every_source(monkeypatch, tmp_path, name):
     """One letter in a module changes it, or in the data beside it; what is recorded does not."""
     monkeypatch.setattr(tree, "ROOT", tmp_path / "cap")

@@ -8,7 +8,7 @@ import pytest
 
 from cap.floats.engine import swarm
 from cap.floats.search.orbits import search
-from cap.paper import escape, forcing
+from cap.paper import coexistence, escape, forcing
 from cap.paper.figure import Run
 from cap.parameters import PAPER, at
 from cap.runner import Runner
@@ -54,3 +54,13 @@ def test_an_orbit_that_is_followed_for_a_short_time():
     """Nothing is said of what comes then."""
     short = escape.escape((0.1003, 0.5419), Fraction(1, 20), 3)
     assert (short.periods, short.word, short.after) == (3, "", 3)
+
+
+def test_the_modulus_is_enclosed(monkeypatch):
+    """It is the root of a number between the ends of the determinant, so it has two ends."""
+    claims = {"determinant": ["0.25", "0.36"], "turning_factors": [["0.3", "0.3"]], "itinerary": []}
+    monkeypatch.setattr(coexistence, "theorem", lambda *_: claims)
+    monkeypatch.setattr(coexistence.events, "counted", lambda _: {})
+    low, high = map(Fraction, coexistence.orbit(None, "focus")["modulus"])
+    assert Fraction(49, 100) < low <= Fraction(1, 2)
+    assert Fraction(3, 5) <= high < Fraction(61, 100)
