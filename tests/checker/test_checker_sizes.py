@@ -55,7 +55,7 @@ def stored(path):
 
 def mixed():
     """Return a certificate of a sink, of which no share is claimed."""
-    lie = {**MIXED, "cites": stored("certificates/mixed.json")["cites"]}
+    lie = {**MIXED, "cites": []}
     return changed(lie, "claims", {k: v for k, v in lie["claims"].items() if k != "cycles"})
 
 
