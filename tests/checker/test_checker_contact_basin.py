@@ -218,6 +218,19 @@ END = 7.0
 RNG = seeded(41)
 
 
+def test_the_pull_over_times_contains_it_at_each():
+    """Of any two waves, over times of any length; and it is no wider than they are high."""
+    for _ in range(rounds(200)):
+        m, c, d = (RNG.uniform(-3, 3) for _ in "mcd")
+        w, a, b = RNG.uniform(0.3, 3), *sorted(RNG.uniform(0, END) for _ in "ab")
+        pull, s = Pull(Wave(*map(Double, (m, c, d, w))), END), np.linspace(a, b, 200)
+        found = pull.during(a, b)
+        value = m + c * np.cos(w * s) + d * np.sin(w * s)
+        assert found.lower <= value.min() + 1e-12
+        assert value.max() - 1e-12 <= found.upper
+        assert max(found.upper - m, m - found.lower) <= math.hypot(c, d) + 1e-12
+
+
 def fates(A=1.2, e=0.5, end=END):
     """Return the fates of a ball on a table, h'' = -1 + A sin s."""
     wave = Wave(Double(1.0), Double(0.0), enclosing(Fraction(-A)), Double(1.0))

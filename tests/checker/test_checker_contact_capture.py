@@ -12,6 +12,9 @@ import pytest
 from support import seeded
 
 from cap.checker.kernel.certificate import read
+from cap.checker.system.capture import HEIGHT, RATE, Modes, Wall
+from cap.checker.system.polynomial import variable
+from cap.checker.theorems import load
 from cap.checker.verdict import words
 from checker.altered import changed, encode, fits_the_schema, rejected, verify
 
@@ -45,6 +48,15 @@ def test_it_is_verified(given, steps):
     """Its steps are told; the schema describes it."""
     assert len(verify(given)) == steps
     fits_the_schema(given)
+
+
+def test_the_state_follows_from_the_height_and_its_rate():
+    """By linear equations, of which the determinant is 9 for a guard that is three times h."""
+    given = changed(EVER, *TABLE, "value", [["-3/5", "sin"], ["3", "y"]])
+    model = load("contact_capture")(read(encode(given)), lambda _: None).p
+    wall = Wall(model, Modes("fly", "table", "fly"), Fraction(1, 2))
+    assert wall.at(wall.h, {}) == variable(HEIGHT)
+    assert wall.at(wall.rate, {}) == variable(RATE)
 
 
 def test_what_is_told():

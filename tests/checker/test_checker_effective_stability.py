@@ -15,6 +15,7 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.maps import drift
+from cap.checker.maps.ellipses import Ellipses
 from checker.altered import changed, encode, fits_the_schema, leaves, rejected, verify
 from checker.tampered import accepted, malformed, moved
 
@@ -49,6 +50,16 @@ def test_more_periods_than_proved(small):
         rejected(changed(small, "claims", "periods", more), "leave the ellipse before")
     for wrong in ("0", "-5", "1/2", "1000.5"):
         rejected(changed(small, "claims", "periods", wrong), "not a positive integer")
+
+
+def test_one_period():
+    """It is the least number of periods that may be claimed."""
+    claims = {"centre": [Fraction(0)], "axes": [[Fraction(1)]], "part": Fraction(1, 2)}
+    for periods in (Fraction(1), Fraction(7)):
+        assert Ellipses.of(claims | {"periods": periods}).periods == periods
+    for periods in (Fraction(0), Fraction(1, 2), Fraction(3, 2)):
+        with pytest.raises(Rejected, match="not a positive integer"):
+            Ellipses.of(claims | {"periods": periods})
 
 
 def test_a_larger_inner_ellipse(small):

@@ -34,6 +34,9 @@ def test_the_sentence():
     assert "1/2 x 2 pi/omega later the state is (-x, -v, f) of what it was" in said
     assert "those of the orbit are their squares" in said
     assert "a multiplier is -1, of the orbit 1" in said
+    alone = words(check(dumps(certificate("fold")).encode(), lambda _: None))
+    assert "squares" not in alone
+    assert "half" not in alone
 
 
 def symmetry(**changes):
