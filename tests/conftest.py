@@ -29,11 +29,12 @@ def pytest_report_header():
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
     """Leave what repeats other tests, or is long and guards no theorem, to the slow ones."""
-    repeating, lengthy = (repeated.listed(file) for file in (repeated.LIST, repeated.LENGTHY))
+    files = repeated.LIST, repeated.LENGTHY, repeated.LONGEST
+    repeating, lengthy, longest = map(repeated.listed, files)
     for item in items:
-        if item.nodeid in repeating:
-            item.add_marker(pytest.mark.repeated)
-        if item.nodeid in repeating | lengthy or item.get_closest_marker("repeated"):
+        if item.nodeid in repeating | longest:
+            item.add_marker(pytest.mark.beside)
+        if item.nodeid in repeating | lengthy or item.get_closest_marker("beside"):
             item.add_marker(pytest.mark.slow)
 
 

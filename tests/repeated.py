@@ -12,9 +12,12 @@ checker, and a stored certificate is made again by its command.  All else that t
 `LONG`, in a fresh clone, where functions are to be compiled, is listed: it is added to the list,
 for without it another test may be the first that waits for a compiled function.
 
-In collection such tests are marked slow, those of the first list also repeated: `.ci/run` leaves
-these out, the server runs them beside it (`conftest`).  As a plugin of pytest this module notes for
-each test its time, the places, and whether there was a sentence: `-p repeated`.
+The longest tests, of ten seconds and more, are listed by hand in longest.txt, if a smaller example
+or another step of `.ci/run` tests the same code.
+
+In collection such tests are marked slow, those that repeat others and the longest also beside:
+`.ci/run` leaves these out, the server runs them beside it (`conftest`).  As a plugin of pytest this
+module notes for each test its time, the places, and whether there was a sentence: `-p repeated`.
 """
 
 import json
@@ -27,7 +30,7 @@ from pathlib import Path
 import pytest
 
 TESTS = Path(__file__).parent
-LIST, LENGTHY = TESTS / "repeated.txt", TESTS / "long.txt"
+LIST, LENGTHY, LONGEST = (TESTS / f"{name}.txt" for name in ("repeated", "long", "longest"))
 ROOMS = "tests/checker/", "tests/certificate/"
 QUICK = 0.12  # seconds of processor time
 TAMPERING = "every_number", "every_end"  # who changes numbers one by one repeats nothing

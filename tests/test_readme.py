@@ -45,9 +45,9 @@ def test_slow_tests_are_run():
     with (ROOT / "pyproject.toml").open("rb") as file:
         options = tomllib.load(file)["tool"]["pytest"]["ini_options"]["addopts"]
     assert options[-2:] == ["-m", "not slow and not browser"]
-    assert 'python -m pytest -m "slow and not repeated"' in CI
+    assert 'python -m pytest -m "slow and not beside"' in CI
     workflow = (ROOT / ".github/workflows/ci.yml").read_text("utf-8").splitlines()
-    assert "      - run: python -m pytest -m repeated" in workflow
+    assert "      - run: python -m pytest -m beside" in workflow
     assert "    python -m pytest -n0 -m browser" in CI
 
 

@@ -112,7 +112,7 @@ def compared(path: Path) -> list[str]:
 def told(manuscript: Manuscript) -> list[str]:
     """Return, in lines, which sentences are others now, and how many wrong ones are left."""
     known, claims = recorded.recorded(), ledger.claims()
-    found = {name: sentence(name, manuscript) for name in claims}
+    found = {name: sentence(name, manuscript) for name in ledger.quotes()}
     stand = {name for name, (state, _) in found.items() if state is State.STANDS}
     others = {name: each for name, each in found.items() if name not in stand or each[1]}
     wrong = [name for name in claims if known[name].outcome in WRONG]

@@ -31,7 +31,7 @@ SOON = {f"periodic-{n}" for n in (4, 8, 9, 11)} | {"persistence"} | {p.stem for 
 
 def of(paths):
     """Return a mark for tests of files; those with no kind of event of their own repeat others."""
-    repeats = [pytest.mark.repeated]
+    repeats = [pytest.mark.beside]
     cases = [pytest.param(p, id=p.stem, marks=repeats * (p.stem not in SOON)) for p in paths]
     return pytest.mark.parametrize("path", cases)
 
