@@ -30,11 +30,12 @@ from cap.tori.invariant_curve import (
 )
 from cap.tori.newton import improved, levelled, shortened
 from cap.tori.rotation import Quadratic
+from cap.tori.scale import Scale
 
 ROUGH = 20  # decimal places of the frame
 REACHES = tuple(Fraction(1, n) for n in (8, 64, 1000, 10_000))
 STEPS, GAIN = 12, Ball((1, -3))
-TRIES = 3  # with more and more modes
+TRIES, LEAST = 3, 16  # with more and more modes, at least so many
 DIGITS = 12
 PLACES = 8  # decimals of bounds
 LOOSE, LOOSE_BOUND = Ball("1e-20"), Ball("1e-9")
@@ -51,27 +52,6 @@ class Following(Protocol):
 
     def written(self, places: int) -> tuple[dict[str, Any], Self]:
         """Return the hints as the format has them, and the map with these."""
-
-
-class Scale(NamedTuple):
-    """How functions are computed: modes, ρ, decimal places."""
-
-    degree: int
-    rho: Fraction
-    places: int
-
-    @property
-    def bits(self) -> int:
-        """The working precision."""
-        return self.places * 10 // 3 + 32
-
-    @classmethod
-    def of(cls, decay: float, attempt: int) -> "Scale":
-        """Return what suits coefficients that fall like exp(-decay k)."""
-        rho = decay / 5
-        degree = max(16, round(95 / (decay - rho) * 1.3**attempt))
-        exact = Fraction(max(1, round(rho * 10**5)), 10**5)
-        return cls(degree, exact, 40 + round(rho * degree / 2.3))
 
 
 class Sought(NamedTuple):
@@ -98,7 +78,7 @@ def proved(
     """Prove that there is an invariant curve; raise `NotProved`."""
     failed = NotProved("curve", "there is no number of modes to try")
     for attempt in range(TRIES):
-        scale = Scale.of(sought.decay, attempt)
+        scale = Scale.of(sought.decay, attempt, least=LEAST)
         try:
             with interval.workprec(scale.bits):
                 return _proved(sought, mapped, scale, runner), scale

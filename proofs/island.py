@@ -30,7 +30,7 @@ from cap.floats.candidates import tori
 from cap.proofs.certified import Content
 from cap.proofs.fixed_point import Proof, Setting, settled
 from cap.proofs.island_centre import Place, balls, centred, lemma_1_centre, located, state
-from cap.proofs.island_curve import MODES, Scale, approximate, lemma_2_curve, loosened, written
+from cap.proofs.island_curve import approximate, lemma_2_curve, loosened, written
 from cap.proofs.rotation_choice import LARGEST, ROTATION, Sought, chosen, together
 from cap.sets import interval
 from cap.sets.interval import Ball, Box
@@ -40,6 +40,7 @@ from cap.tori.approximate import Approximate
 from cap.tori.around import area, half_width, winding
 from cap.tori.invariant_curve import Curve, Found
 from cap.tori.rotation import Quadratic
+from cap.tori.scale import Scale
 from cap.tori.states import Motion, States, covering
 
 SUMMARY = "an explicit invariant curve around an elliptic orbit: what is inside never stops"
@@ -50,6 +51,7 @@ CHECK = together
 
 GRIDS = (4, 8, 16, 32, 64, 128, 256)
 REACHES = tuple(Fraction(1, n) for n in (300, 1000, 10_000, 100_000, 1_000_000))
+MODES = 4096
 TRIES = 4  # with more and more modes
 PER_SECOND = 1500  # digits of functions, for half a period
 STEPS_OF_CURVE = ("invariant curve", "search", "reciprocal", "frame", "implicit equation", "sine")
@@ -95,9 +97,9 @@ def island(setting: Setting, place: Place, sought: Sought) -> Content:
     decay = tori.decay(rows)
     if 95 / decay > MODES:
         raise NotProved("curve", "its coefficients fall too slowly", {"exponent": decay})
-    scales = {Scale.of(decay, setting.digits, attempt): None for attempt in range(TRIES)}
+    tries = (Scale.of(decay, n, setting.digits, most=MODES) for n in range(TRIES))
     failed = NotProved("curve", "there is no number of modes to try")
-    for scale in scales:
+    for scale in dict.fromkeys(tries):
         try:
             with interval.workprec(scale.bits):
                 return _content(setting, place, q, scale, (rows, reaches))

@@ -4,7 +4,6 @@ What is approximated is written as polynomials with decimals for coefficients; o
 curve nearby is proved, with its distance.
 """
 
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -21,32 +20,10 @@ from cap.tori.approximate import Approximate, Doubles, doubles, rounded, sharpen
 from cap.tori.half_period import HalfPeriods, Hit
 from cap.tori.invariant_curve import Curve, Found, Rotation, invariant_curve, measured
 from cap.tori.rotation import Quadratic
+from cap.tori.scale import Scale
 
 ROUGH = 20  # decimal places of the frame and of inverse speeds
 LOOSE = Ball("1e-20")
-MODES = 4096
-
-
-@dataclass(frozen=True)
-class Scale:
-    """How functions are computed: modes, ρ, decimal places, working precision."""
-
-    degree: int
-    rho: Fraction
-    places: int
-
-    @property
-    def bits(self) -> int:
-        """The working precision."""
-        return self.places * 10 // 3 + 32
-
-    @classmethod
-    def of(cls, decay: float, digits: int, attempt: int) -> "Scale":
-        """Return what suits coefficients that fall like exp(-decay k): the strip is a fifth."""
-        rho = decay / 5
-        degree = min(round(95 / (decay - rho) * 1.3**attempt), MODES)
-        places = max(40 + round(rho * degree / 2.3), digits + 16)
-        return cls(degree, Fraction(max(1, round(rho * 10**5)), 10**5), places)
 
 
 def approximate(

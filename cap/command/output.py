@@ -1,5 +1,6 @@
 """Where commands write: tried before anything is computed, and refused in one line."""
 
+import argparse
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -7,6 +8,18 @@ from pathlib import Path
 from cap.errors import BadInput
 from cap.files import tried
 from cap.words import quoted
+
+
+def add_out(p: argparse.ArgumentParser, there: str) -> None:
+    """Add the option that says where certificates go; ``there`` is what holds in a directory."""
+    p.add_argument(
+        "--out",
+        type=Path,
+        default=Path("certificates"),
+        metavar="PATH",
+        help="a file ending in .json, which is replaced; or a directory (default: certificates), "
+        f"which is made if it is missing: there {there}",
+    )
 
 
 def writable(path: Path) -> None:

@@ -13,7 +13,7 @@ from typing import Any
 
 from cap.certificate import naming
 from cap.command.console import Parser, program, protected
-from cap.command.output import writable, writable_into
+from cap.command.output import add_out, writable, writable_into
 from cap.command.progress import Progress, answered
 from cap.command.proving import proved
 from cap.errors import BadInput
@@ -76,14 +76,7 @@ def ended(p: Parser, workers: str = "processes") -> Parser:
     """Return the parser, with how many processes there are, and where the certificate goes."""
     if workers:
         p.add_argument("--jobs", default="1", metavar="N", help=f"{workers} (default 1)")
-    p.add_argument(
-        "--out",
-        type=Path,
-        default=Path("certificates"),
-        metavar="PATH",
-        help="a file ending in .json, which is replaced; or a directory (default: certificates), "
-        "which is made if it is missing: there no other file is replaced",
-    )
+    add_out(p, "no other file is replaced")
     return p
 
 

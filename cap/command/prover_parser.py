@@ -6,10 +6,10 @@ named is loaded, unless help or a mistake asks for all.
 
 import argparse
 from collections.abc import Iterable, Sequence
-from pathlib import Path
 from typing import Any
 
 from cap.command.console import Parser, program, protected
+from cap.command.output import add_out
 from cap.errors import BadInput
 from cap.option import Option
 from cap.parameters import PAPER
@@ -106,14 +106,10 @@ def _completed(p: Parser, own: dict[Option, str]) -> Parser:
         words: dict[str, Any] = {"nargs": option.nargs, "metavar": option.metavar, "help": told}
         p.add_argument(f"--{option.name}", action=_Own, default=argparse.SUPPRESS, **words)
     p.add_argument("--digits", default="30", metavar="N", help="digits claimed (default 30)")
-    p.add_argument(
-        "--out",
-        type=Path,
-        default=Path("certificates"),
-        metavar="PATH",
-        help="a file ending in .json, which is replaced; or a directory (default: certificates), "
-        "which is made if it is missing: there the name tells the theorem, the parameters that are "
-        "not the paper's, and the orbit if one is asked for, and no other file is replaced",
+    add_out(
+        p,
+        "the name tells the theorem, the parameters that are not the paper's, and the orbit if one "
+        "is asked for, and no other file is replaced",
     )
     return p
 

@@ -16,8 +16,7 @@ from cap.checker.kernel.theorem import Theorem
 class Part(ABC):
     """What a certificate claims to attract, of one kind.
 
-    ``CLAIM`` is the shape of the claim, ``HINTS`` that of its own hints, ``CITES``
-    what it cites.
+    ``CLAIM`` is the shape of the claim, ``HINTS`` that of its own hints, ``CITES`` what it cites.
     """
 
     CLAIM: ClassVar[Any]
