@@ -13,7 +13,7 @@ from cap.proofs import island, islands, rotation_choice
 def small(monkeypatch):
     """Only curves near P*, with few modes."""
     scale = island.Scale(40, Fraction(1, 5), 34)
-    monkeypatch.setattr(island.Scale, "of", classmethod(lambda *_: scale))
+    monkeypatch.setattr(island.Scale, "of", classmethod(lambda *_, **__: scale))
     monkeypatch.setattr(rotation_choice.within, "__defaults__", (((12, 25),),))
 
 
