@@ -12,6 +12,7 @@ from mpmath import mp, mpf
 from support import rounds, seeded
 
 from cap.checker.flow.losses import Lossy as Mechanics
+from cap.checker.kernel.jet import raised
 from cap.checker.one_one import pairs as pairs_of_orbits
 from cap.checker.one_one.closed_form import friction
 from cap.checker.one_one.taylor_model import rounded
@@ -84,6 +85,11 @@ def frame(a, b, c):
         yield from z
 
 
+def slope(q, n):
+    """Return the derivative of a quantity in the n-th variable."""
+    return q[raised(q.box.origin)[n]]
+
+
 def flight(x, v, t, e, mu):
     """Give the state, the speed and its least value on flights, and what hits and turns lose."""
     for sets in (None, {"e": ends(e), "mu": ends(mu)}):
@@ -93,12 +99,12 @@ def flight(x, v, t, e, mu):
             when = M.moment(M.constant(t))
             place, speed = M.place(start, when), M.speed(start, when)
             for q in (place, speed, when.cos, when.sin):
-                yield from (q.value, q.slope(0), q.slope(1))
+                yield from (q.value, slope(q, 0), slope(q, 1))
             yield M.least_speed(start, when)
             yield from (q.value for q in M.parameters.values())
             later = M.flight(-s, when, place, speed)
             for q in later.arc[:2]:
-                yield from (q.value, q.slope(1))
+                yield from (q.value, slope(q, 1))
             yield from (m for minimum in M.minima[s] for m in (q.value for q in minimum))
 
 

@@ -10,12 +10,10 @@ from cap.checker.one_one.closed_form import Symmetric
 from cap.checker.system.walls import BetweenWalls
 
 ONE_ONE = "T-periodic, with a velocity that never vanishes and one hit of each wall per period"
-_SYSTEM = (
-    "x'' = F cos(omega t) - f sgn x' with F = {F}, omega = {omega}, FRICTION and elastic walls at "
+SYSTEM = (
+    "x'' = F cos(omega t) - f sgn x' with F = {F}, omega = {omega}, f = {f} and elastic walls at "
     "{l} and {r}, T = 2 pi/omega; a (1,1) orbit is " + ONE_ONE + ": "
 )
-SYSTEM_AT_F = _SYSTEM.replace("FRICTION", "f = {f}")
-SYSTEM_FOR_ALL_F = _SYSTEM.replace("FRICTION", "0 < f < F")
 
 # fmt: off
 STATE = (

@@ -33,7 +33,7 @@ from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Enclosure, Field, Many, Quantity, Word
 from cap.checker.kernel.theorem import BITS
 from cap.checker.one_one.closed_form import Symmetric, birth, friction, half_turn
-from cap.checker.one_one.scaled import STATE, SYSTEM_AT_F, Scaled
+from cap.checker.one_one.scaled import STATE, SYSTEM, Scaled
 
 # fmt: off
 ORBIT = (
@@ -169,7 +169,7 @@ class SymmetricOrbits(Scaled):
         claims, orbits = self.claims, self.claims["branches"]
         genuine = [name for name, orbit in orbits.items() if orbit and orbit["genuine"] == "yes"]
         count = ("zero (1,1) orbits have", "one (1,1) orbit has", "two (1,1) orbits have")
-        yield SYSTEM_AT_F
+        yield SYSTEM
         yield f"exactly {count[len(genuine)]} x(t + T/2) = l + r - x(t) for all t"
         for name in genuine:
             yield _SYMMETRIC.format_map(orbits[name] | {"name": name})
