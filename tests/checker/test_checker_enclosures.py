@@ -20,6 +20,7 @@ from checker.parts import (
     Enclosure,
     Interval,
     Jet,
+    PaperEquation,
     Parameters,
     Pitchfork,
     Rejected,
@@ -56,11 +57,16 @@ def values_of_c(rho, c):
 
 def paper_equation(theta, c):
     """Give Psi, and its Newton operator at a point."""
-    proof = SymmetricOrbits.__new__(SymmetricOrbits)
-    proof.hints = {"bits": c.bits}
-    proof.p = Parameters(F(1), F(1), F(2, 5), F(0), F(2))
-    proof.R, proof.omega = F(2), F(1)
-    yield proof.psi(theta)
+    yield equation(c.bits).psi(theta)
+
+
+def equation(bits):
+    """Return the equation at F = omega = 1, f = 2/5, R = 2."""
+    theorem = SymmetricOrbits.__new__(SymmetricOrbits)
+    theorem.hints, theorem.claims = {"bits": bits}, {"paper_roots": []}
+    theorem.p = Parameters(F(1), F(1), F(2, 5), F(0), F(2))
+    theorem.R, theorem.omega = F(2), F(1)
+    return PaperEquation(theorem)
 
 
 def pairs(rho, delta):
@@ -161,14 +167,10 @@ def test_over_sets(formula, bits):
 @pytest.mark.parametrize("bits", [12, 16, 24, 53])
 def test_roots_are_in_what_is_returned(bits):
     """The first root of the paper's equation, whatever the precision: Newton's image is a set."""
-    proof = SymmetricOrbits.__new__(SymmetricOrbits)
-    proof.hints = {"bits": bits}
-    proof.p = Parameters(F(1), F(1), F(2, 5), F(-1), F(1))
-    proof.R, proof.omega = F(2), F(1)
     with mp.workdps(30):
         root = F(str(mp.findroot(_psi, 1.2)))
     wide = F(1, 20)
-    found = proof.root(Enclosure(root - wide, root + wide, ("", "")))
+    found = equation(bits).root(Enclosure(root - wide, root + wide, ("", "")))
     low, high = (F(end, 2**bits) for end in (found.lo, found.hi))
     assert low < root < high
     assert high - low < F(1, 100) + F(40, 2**bits)

@@ -34,6 +34,11 @@ class Scaled(BetweenWalls):
         """R omega^2/F."""
         return self.number(self.R * self.omega**2 / self.p.F)
 
+    @property
+    def alpha(self) -> Interval:
+        """f/F."""
+        return self.number(self.p.f / self.p.F)
+
     def state(self, orbit: Symmetric) -> dict[str, Any]:
         """Return the state of a symmetric orbit at t = 0, the times of its hits, and its speeds."""
         (gap, u), t_1, F, omega = orbit.start, orbit.t_1, self.p.F, self.omega
