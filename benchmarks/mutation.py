@@ -2,6 +2,7 @@
 
     nice python benchmarks/mutation.py build/mutation [--jobs 2] [--only events] [--sample 0.1]
     nice python benchmarks/mutation.py build/slips --slips --since 1bc7956 --sample 0.0271 --seed 28
+    nice python benchmarks/mutation.py build/slips --slips --only '(coverings|system).*: need.*pass'
 
 Every mutant of `mutants.py`, or of `slips.py` with ``--slips``, is tried in a process of its own,
 or a sample of the same part of each file: the second command tries 300, of files of which half is
@@ -35,6 +36,7 @@ from importlib import import_module
 from importlib.machinery import SourceFileLoader
 from pathlib import Path
 from random import Random
+from re import search
 
 import pytest
 from mutants import Mutant, errors, marked, mutants
@@ -277,7 +279,7 @@ def main() -> None:
     parser.add_argument("--jobs", type=int, default=2, help="processes at a time (default 2)")
     parser.add_argument("--slips", action="store_true", help="mutants of the kinds of slips.py")
     parser.add_argument("--since", help="only files of which half is new since this commit")
-    parser.add_argument("--only", default="", help="mutants of which the names begin with this")
+    parser.add_argument("--only", default="", help="a pattern found in their modules and names")
     parser.add_argument("--sample", type=float, default=1, help="the part to be tried (default 1)")
     parser.add_argument("--seed", type=int, default=0, help="of the sample")
     parser.add_argument("--marks", default="", help="of the tests, as with pytest -m (default all)")
@@ -293,7 +295,8 @@ def main() -> None:
     found = dict[Path, list[Mutant]]()
     for path in files(options.since):
         module = ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__")
-        found[path] = [m for m in mutants(path, module, kinds) if m.name.startswith(options.only)]
+        every = mutants(path, module, kinds)
+        found[path] = [m for m in every if search(options.only, f"{module} {m.name}")]
     sample = drawn(found, options.sample, Random(options.seed))  # noqa: S311
     trials = Trials(options.work, options.budget, options.marks)
     done = {name for name, by in trials.by.items() if by} | (unnoticed() & trials.by.keys())

@@ -12,11 +12,15 @@ from branches import certificate
 from own_systems import rejected
 
 from cap.certificate.writer import dumps
+from cap.checker.kernel.certificate import read
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.system.curve import Cell, Line, determinant, minors
+from cap.checker.system.contacts import Equations, Round
+from cap.checker.system.curve import Cell, Curve, Line, determinant, minors
 from cap.checker.system.curve_multipliers import happens
 from cap.checker.system.curve_sentence import _values
+from cap.checker.system.passage import Contact
+from cap.checker.theorems.contacts_branch import ContactsBranch
 from cap.checker.verdict import check, words
 
 E = 0.5
@@ -293,6 +297,25 @@ def test_what_the_parameter_lies_between():
         low, high = sorted((-half * slope, slope))
         assert _values(cell) == (7 - half + low, 7 + half + high)
     assert _values(cell._replace(along=1)) == (-half, 1)
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_the_derivative_of_the_equations(count):
+    """It encloses differences of F, by each unknown, by p as well; p is at every contact."""
+    given = ContactsBranch(read(dumps(certificate("fold")).encode()), lambda _: None).p
+    curve = Curve(Equations(Round(given, [Contact("fly", "table", "fly")] * count, count), 100))
+    w = [thin(q) for k in range(count) for q in (Fraction(1 + 25 * k, 4), "1/3", "-3")]
+    w, step = [*w, thin("11/10")], thin(Fraction(1, 2**20))
+    before = curve.value(w)
+    for i in range(len(w)):
+        there = [x + step if j == i else x for j, x in enumerate(w)]
+        both = zip(w, there, strict=True)
+        rows = curve.slope(curve.steps([Interval(x.lo, y.hi, 100) for x, y in both]))
+        for row, a, b in zip(rows, before, curve.value(there), strict=True):
+            between, found = (b - a) / step, row.get(i, thin(0))
+            assert found.width < step.hi * 64
+            assert found.lower <= between.upper
+            assert between.lower <= found.upper
 
 
 def test_minors_are_the_symmetric_functions():

@@ -89,6 +89,20 @@ def test_the_chain_rule():
         assert abs(value.lower - number) < Fraction(1, 2**50)
 
 
+def test_the_rest_of_krawczyk():
+    """Of (1 - C H') (Z - m), H' = (G' - 1, its derivative), by hand."""
+
+    def thin(q):
+        return Interval.enclosing(Fraction(q), Fraction(q), 64)
+
+    D = Derivatives(*map(thin, (3, 5, 7, 11, 13)))
+    reach, rows = [thin(17), thin(19)], ((2, 3), (4, 5))
+    for n, (a, b) in enumerate(rows):
+        one = [(k == n) - (a * x + b * y) for k, (x, y) in enumerate(((2, 7), (5, 11)))]
+        found = Cascade.rest(None, n, [thin(a), thin(b)], D, reach)
+        assert found.lower == found.upper == one[0] * 17 + one[1] * 19
+
+
 @pytest.mark.parametrize("name", ["parameters", "places"])
 def test_the_numbers(name):
     """None can be moved."""

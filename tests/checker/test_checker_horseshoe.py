@@ -95,6 +95,12 @@ def test_where_sigma_is_not_defined(x, v, why):
     assert str(refused.value) == why
 
 
+def test_a_hit_that_may_be_after_half_a_period():
+    """Some of these masses fly longer than pi, without friction, between walls far apart."""
+    with pytest.raises(Rejected, match="too early or late"):
+        HalfPeriod(Fraction(0), Fraction(3)).image(Double(-2.9, 0.01), Double(1.27, 0.02))
+
+
 def test_a_guess_that_is_wrong(monkeypatch):
     """A time at which a mass would fly back is no guess of a hit."""
     monkeypatch.setattr(half_period, "_guess", lambda *_: 3.0)

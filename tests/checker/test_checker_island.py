@@ -42,8 +42,14 @@ def bumped(text, mode, by):
 
 
 def test_it_is_verified():
-    """All steps; the schema describes it; the sentence has the numbers claimed."""
-    assert len(verify(GOOD)) == 10
+    """All steps, in other units: twice as far, four times as fast, between walls moved by 1."""
+    parameters = {"F": "8", "omega": "2", "f": "16/5", "l": "-1", "r": "3"}
+    claims = {
+        name: [str(Fraction(end) * scale + by) for end in CLAIMS[name]]
+        for name, scale, by in (("x", 2, 1), ("v", 4, 0), ("area", 8, 0))
+    }
+    assert GOOD["parameters"] == {"F": "1", "omega": "1", "f": "2/5", "l": "-1", "r": "1"}
+    assert len(verify({**GOOD, "parameters": parameters, "claims": CLAIMS | claims})) == 10
     fits_the_schema(GOOD)
 
 

@@ -267,6 +267,17 @@ def test_which_release(orbit):
         stops.release_time(M, orbit.events[k]._replace(at=M.instant(wide)))
 
 
+@pytest.mark.parametrize("omega", ["1", "2"])
+def test_the_release_is_the_nearest(omega):
+    """Of those a period apart; f = F cos(omega t) there, and the force grows."""
+    M = Mechanics(Parameters(1, Fraction(omega), Fraction(2, 5), -1, 1, masses=(1, 1)), BITS)
+    near = SimpleNamespace(word="release 1 right", at=M.instant(thin(20)))
+    t = float(middle(stops.release_time(M, near)))
+    assert abs(t - 20) < np.pi / float(omega)
+    assert np.cos(float(omega) * t) == pytest.approx(0.4)
+    assert np.sin(float(omega) * t) < 0
+
+
 def test_a_critical_time_beside_a_release(orbit):
     """Just below f = F two critical times lie close together; a release is at one of them only."""
     close = Parameters(*orbit.M.p[:2], Fraction(9999, 10000), *orbit.M.p[3:5], masses=(1, 1))

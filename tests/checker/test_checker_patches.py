@@ -206,3 +206,17 @@ def test_energies_of_a_part():
     energies = [hit(3.9, 0.7 + 0.001 * r)[1] for r in (-0.5, -0.2, 0.25)]
     assert least <= min(energies) < max(energies) <= most
     assert most - least < 1.2 * (max(energies) - min(energies))
+
+
+def test_the_gap_to_an_edge():
+    """Along a side, against flights: E - q, q = a + b s + c s^2 at the place s of their times."""
+    found, edge = side(), (UNIT // 2, UNIT // 8, -UNIT // 4)
+    line = math.floor(found.T[0].mid * 64) / 64
+    z = Place(found, (line, line + 1 / 64)).gap(edge)
+    for r in (-1, -0.5, 0, 0.5, 1):
+        T, E = hit(3.9, 0.7 + 0.001 * r)
+        s = (T - line) * 128 - 1
+        gap = E - sum(q * s**k for k, q in enumerate(edge)) / UNIT
+        told = z[0] + z[1] * float(r) + z[2] * (r * r / 2)
+        assert told.lower - 1e-9 <= gap <= told.upper + 1e-9
+        assert told.upper - told.lower < 1e-2 * (abs(z[1].mid) + 1e-3)

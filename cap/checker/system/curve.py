@@ -209,17 +209,17 @@ class Curve:
         return [x for k, x in enumerate(found) if (k + 1) % width]
 
     def slope(self, steps: Sequence[Step]) -> list[dict[int, Interval]]:
-        """Return the rows of F' by w, without zeros."""
+        """Return the rows of F' by w, without zeros.
+
+        In each p occurs once: as that of the contact, never as that of the next one.
+        """
         width = self.step + 1
         found = list[dict[int, Interval]]()
         for k, row in enumerate(self.equations.slope(steps)):
             if (k + 1) % width:
-                short = dict[int, Interval]()
-                for j, x in row.items():
-                    is_p = (j + 1) % width == 0
-                    i = self.size if is_p else j - j // width
-                    short[i] = short[i] + x if i in short else x
-                found.append(short)
+                found.append(
+                    {j - j // width if (j + 1) % width else self.size: x for j, x in row.items()}
+                )
         return found
 
     def multipliers(self, steps: Sequence[Step]) -> list[Interval]:
