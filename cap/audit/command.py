@@ -20,6 +20,10 @@ from cap.errors import BadInput
 from cap.words import printable, say
 
 DOCUMENTS = {"summary": "summary.txt", "erratum": "erratum.md", "bibtex": "citation.bib"}
+WHOLE = {"coverage", "patch", "paper", *DOCUMENTS}  # what is said of the whole paper
+_APART = {"recorded": {"record", "fresh"}, "paper": set[str]()}
+_APART |= {each: {"record"} for each in WHOLE - {"paper"}}
+_APART |= {each: _APART[each] | WHOLE - {each} | {"only", "section", "verdict"} for each in WHOLE}
 
 
 def parser() -> argparse.ArgumentParser:
@@ -71,6 +75,7 @@ def main(words: Sequence[str]) -> int:
     options = parser().parse_args(words)
     try:
         subject.choose(options.of)
+        _together(options)
         return _done(options)
     except BadInput as error:
         _progress("")
@@ -82,6 +87,14 @@ def main(words: Sequence[str]) -> int:
         return INTERRUPTED
 
 
+def _together(options: argparse.Namespace) -> None:
+    """Raise `BadInput` if one option would be ignored for another."""
+    asked = {name for name, value in vars(options).items() if value not in (None, False)}
+    for name in sorted(asked & _APART.keys()):
+        if others := sorted(asked & _APART[name]):
+            raise BadInput(f"--{name} does not go with --{others[0]}")
+
+
 def _done(options: argparse.Namespace) -> int:
     """Do what is asked for."""
     if options.paper is not None:
@@ -91,10 +104,6 @@ def _done(options: argparse.Namespace) -> int:
     if options.coverage:
         print("\n".join(coverage.lines()))
         return 1 if any(coverage.wrong()) else 0
-    for name, template in DOCUMENTS.items():
-        if vars(options)[name]:
-            print(written(template, Report(recorded.known(ledger.claims()))), end="")
-            return 0
     return _audit(options)
 
 
@@ -124,7 +133,8 @@ def _patch(path: Path) -> int:
 def _audit(options: argparse.Namespace) -> int:
     """Decide, report, and compare with what is recorded."""
     claims = ledger.chosen(options.only, options.section)
-    if options.recorded:
+    asked = [template for name, template in DOCUMENTS.items() if vars(options)[name]]
+    if options.recorded or asked:
         verdicts = recorded.known(each.id for each in claims)
     else:
         verdicts = all_decided(claims, _progress, jobs=options.jobs, fresh=options.fresh)
@@ -134,7 +144,8 @@ def _audit(options: argparse.Namespace) -> int:
     shown = {k: each for k, each in verdicts.items() if options.verdict in (None, each.outcome)}
     if not shown:
         say(f"no claim that was asked for is {options.verdict}", sys.stderr)
-    print(written(FORMATS[options.format], Report(shown)), end="")
+    (template,) = asked or [FORMATS[options.format]]
+    print(written(template, Report(shown)), end="")
     changed = recorded.changes(verdicts, whole=len(claims) == len(ledger.claims()))
     for line in changed:
         say(f"changed: {line}", sys.stderr)

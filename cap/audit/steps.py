@@ -168,7 +168,8 @@ class Steps:
         digit if it is a number; ``steps`` hold, in which it is called ``it``.
         """
         self.make({**formula, "steps": formula.get("where", "")})
-        need(formula["tex"] in text, "the formula is not in the text of the erratum")
+        alone = rf"(?<![\w.^/-])(?<!- ){re.escape(formula['tex'])}(?!\w|\^(?!\\circ)|\.\d)"
+        need(bool(re.search(alone, text)), "the formula is not in the text of the erratum")
         need("is" in formula or "steps" in formula, "the formula is compared with nothing")
         self.names["it"] = printed = tex.meaning(formula["tex"], self.names)
         self.make({"steps": formula.get("steps", "")})
