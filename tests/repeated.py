@@ -12,11 +12,11 @@ checker, and a stored certificate is made again by its command.  All else that t
 `LONG`, in a fresh clone, where functions are to be compiled, is listed: it is added to the list,
 for without it another test may be the first that waits for a compiled function.
 
-The longest tests, of ten seconds and more, are listed by hand in longest.txt, if a smaller example
-or another step of `.ci/run` tests the same code.
+The longest tests are listed by hand in longest.txt, if a smaller example or another step of
+`.ci/run` tests the same code.
 
-In collection such tests are marked slow, those that repeat others and the longest also beside:
-`.ci/run` leaves these out, the server runs them beside it (`conftest`).  As a plugin of pytest this
+In collection such tests are marked slow, the longest also beside: `.ci/run` leaves these out, the
+server runs them beside it (`conftest`).  As a plugin of pytest this
 module notes for each test its time, the places, and the theorems told: `-p repeated`.
 """
 

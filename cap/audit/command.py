@@ -1,7 +1,6 @@
 """``python -m cap.audit``: a referee's report that can be run."""
 
 import argparse
-import os
 import sys
 from collections.abc import Sequence
 from functools import partial
@@ -15,7 +14,7 @@ from cap.audit.papers import FIRST
 from cap.audit.report.formats import FORMATS, written
 from cap.audit.report.view import Report
 from cap.audit.verdict import Outcome, Verdict
-from cap.command.console import Parser, program
+from cap.command.console import Parser, add_jobs, program
 from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
 from cap.words import printable, say
@@ -49,7 +48,7 @@ def parser() -> argparse.ArgumentParser:
     outcomes, words = list(map(str, Outcome)), "claims with this verdict: refuted, open, ..."
     add("--verdict", metavar="V", choices=outcomes, help=words)
     add("--format", choices=FORMATS, default="text", help="default: text")
-    add("--jobs", metavar="N", default="1", help="processes (default 1)")
+    add_jobs(p)
     flag("--fresh", help="decide again what the cache knows")
     words = "list the places of the paper with the claims taken from each; status 1 if one is "
     flag("--coverage", help=f"{words}forgotten")
@@ -138,7 +137,7 @@ def _audit(options: argparse.Namespace) -> int:
     if options.recorded or asked:
         verdicts = recorded.known(each.id for each in claims)
     else:
-        verdicts = all_decided(claims, _progress, jobs=_jobs(options.jobs), fresh=options.fresh)
+        verdicts = all_decided(claims, _progress, jobs=options.jobs, fresh=options.fresh)
     _progress("")
     if options.record:
         return _record(verdicts)
@@ -165,13 +164,6 @@ def _record(verdicts: dict[str, Verdict]) -> int:
     stored.accept()
     print(*changed, f"{subject.file('recorded.json')}: {len(verdicts)} verdicts written", sep="\n")
     return 0
-
-
-def _jobs(text: str) -> int:
-    most = 4 * (os.cpu_count() or 1)
-    if not (text.isascii() and text.isdigit() and 1 <= int(text) <= most):
-        raise BadInput(f"--jobs must be an integer from 1 to {most}: {text!r}")
-    return int(text)
 
 
 def _progress(words: str) -> None:
