@@ -17,7 +17,6 @@ import pytest
 import cap
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.interval import Interval
-from cap.checker.maps.fixed_point import ends
 from cap.checker.theorems.attractor import Attractor
 from cap.floats.engine.releases import images
 from cap.flow.strobe import oscillator
@@ -58,16 +57,16 @@ def test_cell_of_the_checker(benchmark):
     """A cell, with jets of order 4 in mean value form, in pure Python."""
     proof = Attractor(read(STORED.read_bytes()), lambda _: None)
     hint = proof.hints["cells"][0]
-    windows = [ends(w) for w in hint["events"]]
-    benchmark(proof.cell, ends(proof.claims["interval"])[0], hint["to"], windows)
+    windows = [w[:2] for w in hint["events"]]
+    benchmark(proof.cell, proof.claims["interval"].lower, hint["to"], windows)
 
 
 def test_image_of_the_checker(benchmark):
     """One image of a thin interval, at the precision of the certificate."""
     proof = Attractor(read(STORED.read_bytes()), lambda _: None)
-    low = ends(proof.claims["interval"])[0] + Fraction(1, 1000)
+    low = proof.claims["interval"].lower + Fraction(1, 1000)
     x = Interval.enclosing(low, low + Fraction(1, 10**20), proof.hints["bits"])
-    windows = [ends(w) for w in proof.hints["cells"][0]["events"]]
+    windows = [w[:2] for w in proof.hints["cells"][0]["events"]]
     benchmark(proof.image, x, windows, 1)
 
 

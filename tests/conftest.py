@@ -32,9 +32,9 @@ def pytest_collection_modifyitems(items):
     files = repeated.LIST, repeated.LENGTHY, repeated.LONGEST
     repeating, lengthy, longest = map(repeated.listed, files)
     for item in items:
-        if item.nodeid in repeating | longest:
+        if item.nodeid in longest:
             item.add_marker(pytest.mark.beside)
-        if item.nodeid in repeating | lengthy or item.get_closest_marker("beside"):
+        if item.nodeid in repeating | lengthy | longest:
             item.add_marker(pytest.mark.slow)
 
 

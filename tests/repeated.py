@@ -3,21 +3,21 @@
     python tests/repeated.py    (writes repeated.txt and long.txt beside it; the time of all tests)
 
 Of the checker: each place where it rejects, with the words that it says, is to be reached by a test
-of the quick ones.  A test repeats others if it takes longer than `QUICK`, reaches only places that
-quicker tests reach, lets no sentence be made (what a theorem says is looked at by the quick ones),
-and does not change a certificate number by number.
+of the quick ones, and each theorem is to say its sentence in one of them.  A test repeats others if
+it takes longer than `QUICK`, reaches only places and sentences that quicker tests reach, and
+neither changes a certificate number by number nor is about the words of a sentence.
 
 Of the prover, of floats, pictures, commands and the audit: what is proved is verified by the
 checker, and a stored certificate is made again by its command.  All else that takes longer than
 `LONG`, in a fresh clone, where functions are to be compiled, is listed: it is added to the list,
 for without it another test may be the first that waits for a compiled function.
 
-The longest tests, of ten seconds and more, are listed by hand in longest.txt, if a smaller example
-or another step of `.ci/run` tests the same code.
+The longest tests are listed by hand in longest.txt, if a smaller example or another step of
+`.ci/run` tests the same code.
 
-In collection such tests are marked slow, those that repeat others and the longest also beside:
-`.ci/run` leaves these out, the server runs them beside it (`conftest`).  As a plugin of pytest this
-module notes for each test its time, the places, and whether there was a sentence: `-p repeated`.
+In collection such tests are marked slow, the longest also beside: `.ci/run` leaves these out, the
+server runs them beside it (`conftest`).  As a plugin of pytest this
+module notes for each test its time, the places, and the theorems told: `-p repeated`.
 """
 
 import json
@@ -33,7 +33,7 @@ TESTS = Path(__file__).parent
 LIST, LENGTHY, LONGEST = (TESTS / f"{name}.txt" for name in ("repeated", "long", "longest"))
 ROOMS = "tests/checker/", "tests/certificate/"
 QUICK = 0.12  # seconds of processor time
-TAMPERING = "every_number", "every_end"  # who changes numbers one by one repeats nothing
+ALWAYS = "every_number", "every_end", "sentence"  # who changes numbers, reads words: no repetition
 LONG = 0.2  # seconds of processor time, with that of the processes begun
 GUARDING = *ROOMS, "tests/formal/"
 GUARDS = (  # of other rooms: who looks at certificates, at what is refused, or at the sources
@@ -49,12 +49,13 @@ def listed(file):
 
 
 def repeating(notes):
-    """Return the names of tests that reach only places which quicker ones reach."""
+    """Return the names of tests that reach only places and sentences which quicker ones reach."""
     reached, found = set(), []
     for name, seconds, places, told in sorted(notes, key=lambda note: note[1]):
-        new = {tuple(place) for place in places} - reached
-        kept = new or told or any(word in name for word in TAMPERING)
-        if places and not kept and seconds > QUICK and name.startswith(ROOMS):
+        there = {*map(tuple, places), *told}
+        new = there - reached
+        kept = new or any(word in name for word in ALWAYS)
+        if there and not kept and seconds > QUICK and name.startswith(ROOMS):
             found.append(name)
         else:
             reached |= new
@@ -113,7 +114,7 @@ if NOTES in os.environ:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_protocol(item, nextitem):
-        """Note the time of a test, where the checker rejected in it, and if it said something."""
+        """Note the time of a test, where the checker rejected in it, and what theorems it told."""
         _places.clear()
         _theorems.clear()
         start = sum(os.times()[:4])
@@ -121,7 +122,7 @@ if NOTES in os.environ:
             return (yield)
         finally:
             took = sum(os.times()[:4]) - start
-            note = item.nodeid, took, sorted(_places), bool(_theorems)
+            note = item.nodeid, took, sorted(_places), sorted(_theorems)
             with (Path(os.environ[NOTES]) / str(os.getpid())).open("a", encoding="utf-8") as file:
                 file.write(json.dumps(note) + "\n")
 

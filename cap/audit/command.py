@@ -1,7 +1,6 @@
 """``python -m cap.audit``: a referee's report that can be run."""
 
 import argparse
-import os
 import sys
 from collections.abc import Sequence
 from functools import partial
@@ -15,12 +14,16 @@ from cap.audit.papers import FIRST
 from cap.audit.report.formats import FORMATS, written
 from cap.audit.report.view import Report
 from cap.audit.verdict import Outcome, Verdict
-from cap.command.console import Parser, program
+from cap.command.console import Parser, add_jobs, program
 from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
 from cap.words import printable, say
 
 DOCUMENTS = {"summary": "summary.txt", "erratum": "erratum.md", "bibtex": "citation.bib"}
+WHOLE = {"coverage", "patch", "paper", *DOCUMENTS}  # what is said of the whole paper
+_APART = {"recorded": {"record", "fresh"}, "paper": set[str]()}
+_APART |= {each: {"record"} for each in WHOLE - {"paper"}}
+_APART |= {each: _APART[each] | WHOLE - {each} | {"only", "section", "verdict"} for each in WHOLE}
 
 
 def parser() -> argparse.ArgumentParser:
@@ -45,7 +48,7 @@ def parser() -> argparse.ArgumentParser:
     outcomes, words = list(map(str, Outcome)), "claims with this verdict: refuted, open, ..."
     add("--verdict", metavar="V", choices=outcomes, help=words)
     add("--format", choices=FORMATS, default="text", help="default: text")
-    add("--jobs", metavar="N", default="1", help="processes (default 1)")
+    add_jobs(p)
     flag("--fresh", help="decide again what the cache knows")
     words = "list the places of the paper with the claims taken from each; status 1 if one is "
     flag("--coverage", help=f"{words}forgotten")
@@ -72,6 +75,7 @@ def main(words: Sequence[str]) -> int:
     options = parser().parse_args(words)
     try:
         subject.choose(options.of)
+        _together(options)
         return _done(options)
     except BadInput as error:
         _progress("")
@@ -83,6 +87,14 @@ def main(words: Sequence[str]) -> int:
         return INTERRUPTED
 
 
+def _together(options: argparse.Namespace) -> None:
+    """Raise `BadInput` if one option would be ignored for another."""
+    asked = {name for name, value in vars(options).items() if value not in (None, False)}
+    for name in sorted(asked & _APART.keys()):
+        if others := sorted(asked & _APART[name]):
+            raise BadInput(f"--{name} does not go with --{others[0]}")
+
+
 def _done(options: argparse.Namespace) -> int:
     """Do what is asked for."""
     if options.paper is not None:
@@ -92,10 +104,6 @@ def _done(options: argparse.Namespace) -> int:
     if options.coverage:
         print("\n".join(coverage.lines()))
         return 1 if any(coverage.wrong()) else 0
-    for name, template in DOCUMENTS.items():
-        if vars(options)[name]:
-            print(written(template, Report(recorded.known(ledger.claims()))), end="")
-            return 0
     return _audit(options)
 
 
@@ -125,17 +133,19 @@ def _patch(path: Path) -> int:
 def _audit(options: argparse.Namespace) -> int:
     """Decide, report, and compare with what is recorded."""
     claims = ledger.chosen(options.only, options.section)
-    if options.recorded:
+    asked = [template for name, template in DOCUMENTS.items() if vars(options)[name]]
+    if options.recorded or asked:
         verdicts = recorded.known(each.id for each in claims)
     else:
-        verdicts = all_decided(claims, _progress, jobs=_jobs(options.jobs), fresh=options.fresh)
+        verdicts = all_decided(claims, _progress, jobs=options.jobs, fresh=options.fresh)
     _progress("")
     if options.record:
         return _record(verdicts)
     shown = {k: each for k, each in verdicts.items() if options.verdict in (None, each.outcome)}
     if not shown:
         say(f"no claim that was asked for is {options.verdict}", sys.stderr)
-    print(written(FORMATS[options.format], Report(shown)), end="")
+    (template,) = asked or [FORMATS[options.format]]
+    print(written(template, Report(shown)), end="")
     changed = recorded.changes(verdicts, whole=len(claims) == len(ledger.claims()))
     for line in changed:
         say(f"changed: {line}", sys.stderr)
@@ -154,13 +164,6 @@ def _record(verdicts: dict[str, Verdict]) -> int:
     stored.accept()
     print(*changed, f"{subject.file('recorded.json')}: {len(verdicts)} verdicts written", sep="\n")
     return 0
-
-
-def _jobs(text: str) -> int:
-    most = 4 * (os.cpu_count() or 1)
-    if not (text.isascii() and text.isdigit() and 1 <= int(text) <= most):
-        raise BadInput(f"--jobs must be an integer from 1 to {most}: {text!r}")
-    return int(text)
 
 
 def _progress(words: str) -> None:

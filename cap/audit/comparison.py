@@ -4,7 +4,7 @@ A count is an integer: it agrees if it is equal.  A number is a float: it agrees
 that is this number, rounded to its last digit; if that is farther away, but by no more than a unit
 of this digit, it is imprecise.  Two decimals enclose a number that is proved: the printed one is
 rounded from both, or, if it is an interval, holds them.  Of several floats, which only chance tells
-apart, the range agrees.
+apart, the range agrees, to half a unit.  Dots after a number mean that further digits follow.
 """
 
 import ast
@@ -64,12 +64,11 @@ def compared(row: Mapping[str, Any], found: Mapping[str, Any]) -> Comparison:
         ours = row["ours"].format_map(found)
         seen = _if(_holds(row.get("holds", False), found), Outcome.REFUTED)
     else:
-        ours, seen = value(row["paper"], _part(row["value"], found))
+        printed = cut(row["paper"]) if row.get("cut") else row["paper"]
+        ours, seen = value(printed, _part(row["value"], found))
     outcome = seen
     if row.get("unstated"):
         outcome = Outcome.UNCHECKABLE
-    elif row.get("cut") and outcome is Outcome.IMPRECISE:
-        outcome = Outcome.CONFIRMED
     elif row.get("rough") and outcome is not Outcome.CONFIRMED:
         outcome = Outcome.IMPRECISE
     text = "note" if outcome is Outcome.CONFIRMED else "why"
@@ -101,15 +100,14 @@ def value(paper: str, ours: Any) -> Seen:
     """Compare what is printed with a count, a number, what is proved, or what runs give."""
     if isinstance(ours, int):
         return str(ours), _if(int(paper) == ours)
-    if isinstance(ours, float):
-        if not math.isfinite(ours):
-            return str(ours), Outcome.CORRECTED
-        return f"{ours:.{digits(paper) + MORE}f}", rounded(paper, ours, ours)
-    if not isinstance(ours[0], str):
+    if isinstance(ours, float) and not math.isfinite(ours):
+        return str(ours), Outcome.CORRECTED
+    ends, mark = ([ours], "") if isinstance(ours, float) else (ours, PROVED)
+    if mark and not isinstance(ends[0], str):
         return _among(paper, sorted(ours))
-    low, *_, high = sorted(map(Fraction, (*ours, ours[-1])))  # of one, it is both
+    low, *_, high = sorted(map(Fraction, (*ends, ends[-1])))  # of one, it is both
     printed = paper.strip("[]").split(", ")
-    shown = f"{Decimal(ours[0]):.{max(map(digits, printed)) + MORE}f}{PROVED}"
+    shown = f"{Decimal(ends[0]):.{max(map(digits, printed)) + MORE}f}{mark}"
     if paper.startswith("["):
         return shown, _if(Fraction(printed[0]) <= low and high <= Fraction(printed[1]))
     return shown, rounded(paper, low, high)
@@ -117,7 +115,7 @@ def value(paper: str, ours: Any) -> Seen:
 
 def _among(paper: str, ours: Sequence[float]) -> Seen:
     """Compare a printed number with those of several runs that only chance tells apart."""
-    near, places = (unit(paper), digits(paper) + 1) if "." in paper else (Fraction(0), 0)
+    near, places = (unit(paper) / 2, digits(paper) + 1) if "." in paper else (Fraction(0), 0)
     shown = f"{ours[0]:.{places}f} to {ours[-1]:.{places}f} in {len(ours)} runs"
     low, high = Fraction(ours[0]) - near, Fraction(ours[-1]) + near
     return shown, _if(low <= Fraction(paper) <= high)
@@ -143,6 +141,13 @@ def rounded(printed: str, lower: Fraction | float, upper: Fraction | float) -> O
     if least > last:
         return Outcome.CORRECTED
     raise NotProved("number", f"whether {printed} is right is undecided", {"in": (low, high)})
+
+
+def cut(printed: str) -> str:
+    """Return the interval in which a number is that begins with these digits."""
+    own = Decimal(printed)
+    ends = own, own + Decimal(1).scaleb(-digits(printed)).copy_sign(own)
+    return f"[{', '.join(map(str, sorted(ends)))}]"
 
 
 def digits(printed: str) -> int:

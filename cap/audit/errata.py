@@ -69,14 +69,23 @@ def corrected(manuscript: Manuscript) -> tuple[Manuscript, list[Change]]:
     return manuscript, others
 
 
+def undone(manuscript: Manuscript) -> Manuscript:
+    """Return the text as it was before the changes that it has."""
+    for each in [each for each in changes() if each.made(manuscript)]:
+        manuscript = manuscript.replaced(each.new, each.old)
+    return manuscript
+
+
 def patch(path: Path) -> tuple[str, list[str], list[str]]:
     """Return the changes of a TeX file as ``git apply`` and ``patch -p1`` take them.
 
     With the claims whose changes it has already, and in words what changes do not fit.  Raises
-    `BadInput` if the new text has a fault that the old one has not.
+    `BadInput` if no change fits, or the new text has a fault that the old one has not.
     """
     old = Manuscript.read(path)
     new, others = corrected(old)
+    if others and len(others) == len(changes()):
+        raise BadInput(f"{path} is another text: no change fits")
     known = {re.sub(_LINE, "", each) for each in faults(old.text)}
     if wrong := [each for each in faults(new.text) if re.sub(_LINE, "", each) not in known]:
         raise BadInput(f"the corrected text would be no TeX: {'; '.join(wrong)}")

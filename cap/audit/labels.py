@@ -84,7 +84,7 @@ class Paper:
 def read(path: Path) -> Paper:
     """Return the places of a TeX file."""
     manuscript = Manuscript.read(path)
-    text = re.sub(r"(?<!\\)%.*", "", manuscript.text)
+    text = manuscript.printed.text
     return Paper(
         sha256=hashlib.sha256(manuscript.text.encode()).hexdigest(),
         title=manuscript.argument("title"),

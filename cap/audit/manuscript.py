@@ -9,6 +9,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 from cap.errors import BadInput
@@ -17,6 +18,10 @@ _MARK = re.compile(
     r"\\\\|\\[{}$%]|(?P<comment>%.*)|(?P<verb>\\verb\*?(?P<bar>[^a-zA-Z\s*]).*?(?P=bar))"
     r"|\\(?P<way>begin|end)\{(?P<name>[^{}]*)\}|(?P<open>\{|\\\[|\\\()|(?P<close>\}|\\\]|\\\))"
     r"|(?P<dollar>\$\$?)"
+)
+_HIDDEN = re.compile(
+    r"(?<!\\)(?P<before>(?:\\\\)*)%.*|\\iffalse\b[\s\S]*?\\fi\b"
+    r"|\\begin\{comment\}[\s\S]*?\\end\{comment\}|(?<=\\end\{document\})[\s\S]+"
 )
 _PAIRS = {"}": "{", r"\]": r"\[", r"\)": r"\("}
 _LABEL = re.compile(r"\\label\{([^{}]*)\}")
@@ -39,6 +44,13 @@ class Manuscript:
         except OSError as error:
             raise BadInput(f"cannot read {path}: {error.strerror}") from None
 
+    @cached_property
+    def printed(self) -> "Manuscript":
+        """The text, on the same lines, without comments and what else TeX does not print."""
+        return Manuscript(
+            _HIDDEN.sub(lambda each: (each["before"] or "") + "\n" * each[0].count("\n"), self.text)
+        )
+
     def argument(self, command: str) -> str:
         """Return the argument of the first command of this name, in one line, or nothing."""
         found = re.search(rf"\\{command}\{{([^{{}}]*)\}}", self.text)
@@ -59,14 +71,17 @@ class Manuscript:
 
 
 def _broken(piece: str) -> str:
-    """Return a pattern of the piece, with its lines broken at will."""
-    return r"\s+".join(map(re.escape, piece.split()))
+    """Return a pattern of the piece, with its lines broken at will; no part of a word or number."""
+    words = r"\s+".join(map(re.escape, piece.split()))
+    before = r"(?<![\w.])" if words[:1].isalnum() else ""
+    before += "(?<!-)" if words[:1].isdigit() else ""
+    return before + words + (r"(?!\w|\.\d)" if words[-1:].isalnum() else "")
 
 
 def faults(text: str) -> list[str]:
     """Return what is wrong, in words, with lines; nothing if no fault is seen."""
     found = list(_nesting(text))
-    bare = re.sub(r"(?<!\\)%.*", "", text)
+    bare = Manuscript(text).printed.text
     labels = Counter(_LABEL.findall(bare))
     found += [f"{label} is a label {count} times" for label, count in labels.items() if count > 1]
     cited = {label for each in _REFERENCE.findall(bare) for label in each.split(",")}

@@ -33,12 +33,7 @@ from cap.sets.interval import Ball
 
 Given = Mapping[str, Any]
 Words = Mapping[str, object]  # by their names
-SYMBOLS = {
-    "positive": {"positive": True},
-    "real": {"real": True},
-    "integer": {"integer": True},
-    "any": {},
-}
+SYMBOLS = {key: {key: True} for key in ("positive", "real", "integer")} | {"any": {}}
 _DEFINES = re.compile(r"(\w+) = (.+)")
 _DECIMAL = re.compile(r"-?\d+\.\d+")
 _HOLDS = re.compile(r"(.+) (==|!=|<|>|in) (.+)")
@@ -168,7 +163,8 @@ class Steps:
         digit if it is a number; ``steps`` hold, in which it is called ``it``.
         """
         self.make({**formula, "steps": formula.get("where", "")})
-        need(formula["tex"] in text, "the formula is not in the text of the erratum")
+        alone = rf"(?<![\w.^/-])(?<!- ){re.escape(formula['tex'])}(?!\w|\^(?!\\circ)|\.\d)"
+        need(bool(re.search(alone, text)), "the formula is not in the text of the erratum")
         need("is" in formula or "steps" in formula, "the formula is compared with nothing")
         self.names["it"] = printed = tex.meaning(formula["tex"], self.names)
         self.make({"steps": formula.get("steps", "")})

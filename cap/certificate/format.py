@@ -16,7 +16,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from cap.checker.kernel.alternatives import OneOrOther
-from cap.checker.kernel.certificate import DIGITS
+from cap.checker.kernel.certificate import FIELDS
 from cap.checker.kernel.choices import Cases, OrNone
 from cap.checker.kernel.integers import Integer
 from cap.checker.kernel.later import Later
@@ -84,7 +84,7 @@ def _certificate(name: str, theorem: type[Theorem]) -> Json:
             "format": {"const": "cap-certificate/1"},
             "theorem": {"const": name},
             "parameters": schema(theorem.PARAMETERS),
-            "digits": schema(DIGITS),
+            "digits": schema(FIELDS["digits"]),
             "claims": schema({field.name: field.shape for field in theorem.CLAIMS}),
             "hints": schema({field.name: field.shape for field in theorem.HINTS}),
             "cites": _ref("cites"),

@@ -20,7 +20,8 @@ lists these files in the order to read them.  Each begins with the mathematics t
     attracting  what attracts there, a file each: loaded only where a certificate claims it
     resting     cells of states at a wall, in doubles: which rest in time, and which fly
     strips      launches from wall to wall that go on in vain, level by level
-    one_one     the orbits with one hit of each wall per period, in closed form
+    one_one     the orbits with one hit of each wall per period, in closed form; the paper's
+                equation, loaded only where a certificate claims its roots
     coverings   parallelograms that cover each other under a planar map, of a half period, given by
                 formulas, or from contact to contact; entropy without diamonds, also in time
     particles   two masses: flights, contacts, periodic orbits, the normal form

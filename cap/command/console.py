@@ -5,6 +5,7 @@ import argparse
 import os
 import re
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NoReturn, TextIO
 
@@ -40,6 +41,26 @@ class Parser(argparse.ArgumentParser):
         """Print help or a complaint; `argparse` would be silent about a file that is full."""
         if file is not None:
             file.write(message)
+
+
+def integers(least: int, most: int) -> Callable[[str], int]:
+    """Return what reads an integer within limits."""
+
+    def read(text: str) -> int:
+        if not (
+            text.isascii() and text.isdigit() and len(text) <= 4 and least <= int(text) <= most
+        ):
+            raise argparse.ArgumentTypeError(f"an integer from {least} to {most} is needed")
+        return int(text)
+
+    return read
+
+
+def add_jobs(
+    p: argparse._ActionsContainer, about: str = "processes (default 1)", default: int = 1
+) -> None:
+    """Add the option that says how many processes, or threads, there are."""
+    p.add_argument("--jobs", type=integers(1, 1024), default=default, metavar="N", help=about)
 
 
 def program(module: str) -> str:

@@ -55,11 +55,10 @@ def main(words: Sequence[str]) -> int:
         asked = Asked.of(options)
         if options.table is None:
             return _run(asked, progress)
-        jobs = own_command.jobs(options)
         if options.journal is not None:
             writable(options.journal)
         return own_table.proved(
-            asked.system, options.table, asked.digits, jobs, options.journal, progress
+            asked.system, options.table, asked.digits, options.jobs, options.journal, progress
         )
 
     return answered(run, progress)
@@ -130,7 +129,7 @@ class Asked:
         alone = options.all or state or options.period != "1"
         if options.table is not None and (alone or options.theorem in ELLIPTIC):
             raise BadInput("--table goes with none of --all, --orbit, --period, elliptic")
-        if options.table is None and (options.journal or options.jobs != "1"):
+        if options.table is None and (options.journal or options.jobs != 1):
             raise BadInput("--jobs and --journal go with --table")
         periods = own_orbit.periods(options, system)
         if options.all and (state or options.out.suffix == ".json"):

@@ -41,7 +41,6 @@ def asked(options: argparse.Namespace) -> Asked:
     system = read(options.file, values)
     releases(system)
     path = own_command.place(options, [THEOREM], values, as_parameters(system))
-    jobs = own_command.jobs(options)
     return Asked(
-        THEOREM, path, lambda tell: contact_attractor.prove_any(system, Runner(jobs, tell))
+        THEOREM, path, lambda tell: contact_attractor.prove_any(system, Runner(options.jobs, tell))
     )

@@ -58,9 +58,10 @@ def asked(options: argparse.Namespace) -> Asked:
     table = Table(**{name: exact(word) for name, word in given.items()}).checked()
     q = rotation([options.rotation], "rotation")
     turns = integer(options.turns, "turns", (0, 999))
-    jobs = own_command.jobs(options)
     told = {**given, **({"turns": turns} if turns else {})}
     path = own_command.place(options, ["ball_curve"], told, ball_curve.as_parameters(table))
     return Asked(
-        "ball_curve", path, lambda tell: ball_curve.prove(table, q, turns, Runner(jobs, tell))
+        "ball_curve",
+        path,
+        lambda tell: ball_curve.prove(table, q, turns, Runner(options.jobs, tell)),
     )

@@ -80,12 +80,11 @@ def asked(options: argparse.Namespace) -> Asked:
     if any(a == b for a, b in box.values()):
         raise BadInput("--box has no area")
     cells = integer(options.cells, "cells", (1, MOST))
-    jobs = own_command.jobs(options)
     told = {**values, "until": options.until, **({"start": options.start} if start else {})}
     path = own_command.place(options, [THEOREM], told, as_parameters(system, rests=True))
     rectangle = Rectangle(start, until, box)
     return Asked(
         THEOREM,
         path,
-        lambda tell: contact_basin.prove(place, rectangle, cells, Runner(jobs, tell)),
+        lambda tell: contact_basin.prove(place, rectangle, cells, Runner(options.jobs, tell)),
     )

@@ -12,12 +12,11 @@ from pathlib import Path
 from typing import Any
 
 from cap.certificate import naming
-from cap.command.console import Parser, program, protected
+from cap.command.console import Parser, add_jobs, program, protected
 from cap.command.output import add_out, writable, writable_into
 from cap.command.progress import Progress, answered
 from cap.command.proving import proved
 from cap.errors import BadInput
-from cap.option import integer
 from cap.runner import Tell
 from cap.system.files import stem
 from cap.words import quoted
@@ -75,14 +74,9 @@ def begun(name: str, flag: str, about: str, example: str) -> Parser:
 def ended(p: Parser, workers: str = "processes") -> Parser:
     """Return the parser, with how many processes there are, and where the certificate goes."""
     if workers:
-        p.add_argument("--jobs", default="1", metavar="N", help=f"{workers} (default 1)")
+        add_jobs(p, f"{workers} (default 1)")
     add_out(p, "no other file is replaced")
     return p
-
-
-def jobs(options: argparse.Namespace) -> int:
-    """Return how many processes there are."""
-    return integer(options.jobs, "jobs", (1, 1024))
 
 
 def place(

@@ -47,6 +47,7 @@ def asked(options: argparse.Namespace) -> Asked:
     given = planar(options.file, values)
     Kicked.of(given)
     q = rotation([options.rotation], "rotation")
-    jobs = own_command.jobs(options)
     path = own_command.place(options, ["map_curve"], values, as_parameters(given))
-    return Asked("map_curve", path, lambda tell: map_curve.prove(given, q, Runner(jobs, tell)))
+    return Asked(
+        "map_curve", path, lambda tell: map_curve.prove(given, q, Runner(options.jobs, tell))
+    )

@@ -96,7 +96,8 @@ def asked(kind: Kind, options: argparse.Namespace) -> Asked:
     path = own_command.place(options, [kind.theorem], values, kind.parameters(given))
     effort = integer(options.effort, "effort", (1, kind.effort[1]))
     which = choice(*WHICH)([options.sets], "sets")
-    jobs = own_command.jobs(options)
     return Asked(
-        kind.theorem, path, lambda tell: kind.prove(given, effort, Runner(jobs, tell), which)
+        kind.theorem,
+        path,
+        lambda tell: kind.prove(given, effort, Runner(options.jobs, tell), which),
     )

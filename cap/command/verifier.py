@@ -20,7 +20,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from cap.checker.theorems import NAMES
-from cap.command.console import Parser, columns, program
+from cap.command.console import Parser, add_jobs, columns, integers, program
 from cap.command.layout import laid_out
 from cap.command.outcome import Outcome, expected, found, outcome
 from cap.words import quoted, say
@@ -69,12 +69,8 @@ def parser() -> Parser:
         help="list the files that prove this theorem, in the order to read them, with their lines "
         f"of code and of mathematics; one of: {', '.join(NAMES)}",
     )
-    words.add_argument(
-        "--jobs",
-        type=_integer(1, 1024),
-        default=1,
-        metavar="N",
-        help="processes, for several files and for a long proof that can be divided (default 1)",
+    add_jobs(
+        words, "processes, for several files and for a long proof that can be divided (default 1)"
     )
     words.add_argument(
         "--one-line", action="store_true", help="print a verdict in one line, also on a terminal"
@@ -93,7 +89,7 @@ def parser() -> Parser:
     )
     words.add_argument(
         "--latex-digits",
-        type=_integer(2, 1000),
+        type=integers(2, 1000),
         default=12,
         metavar="N",
         help="significant digits (default 12)",
@@ -112,19 +108,6 @@ def _reading(theorem: str) -> int:
         for line in told(more):
             say(line, sys.stdout)
     return 0
-
-
-def _integer(least: int, most: int) -> Callable[[str], int]:
-    """Return what reads an integer within limits."""
-
-    def read(text: str) -> int:
-        if not (
-            text.isascii() and text.isdigit() and len(text) <= 4 and least <= int(text) <= most
-        ):
-            raise argparse.ArgumentTypeError(f"an integer from {least} to {most} is needed")
-        return int(text)
-
-    return read
 
 
 def _verify(names: Sequence[str], options: argparse.Namespace) -> int:

@@ -14,11 +14,11 @@ from cap.checker.kernel.certificate import Certificate, read
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.theorem import Theorem
 from cap.command import entry
+from cap.command.console import add_jobs
 from cap.command.outcome import content, found, why
 from cap.command.progress import Progress
 from cap.errors import BadInput
 from cap.files import replacing
-from cap.option import integer
 from cap.words import quoted, say, unread
 
 NAME = "certificate"
@@ -49,7 +49,7 @@ def add(commands: Any) -> None:
         metavar="FILE",
         help="write FILE.png, .pdf or .svg (default: NAME.png); may be repeated",
     )
-    p.add_argument("--jobs", default="1", metavar="N", help="processes (default 1)")
+    add_jobs(p)
 
 
 def run(options: argparse.Namespace, progress: Progress) -> int:
@@ -62,7 +62,7 @@ def run(options: argparse.Namespace, progress: Progress) -> int:
     kinds = [export.image(path) for path in out]
     certificate = opened(options.file)
     theorem = theorems.proof(certificate.theorem)(certificate, lambda _step: None)
-    theorem.jobs = integer(options.jobs, "jobs", (1, 1024), 4)
+    theorem.jobs = options.jobs
     theorem.tell = progress.tell
     if reason := rejected(theorem):
         progress.clear()

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from cap.command import entry
-from cap.command.console import Parser, program, protected
+from cap.command.console import Parser, add_jobs, program, protected
 from cap.command.entry import INTERRUPTED
 from cap.command.progress import Progress, answered
 from cap.errors import BadInput
@@ -143,8 +143,7 @@ def _add(
     )
     output.add_argument("--size", nargs=2, metavar=("W", "H"), help="of the picture, in inches")
     output.add_argument("--dpi", default="200", metavar="N", help="pixels per inch (default 200)")
-    cores = str(os.cpu_count() or 1)
-    output.add_argument("--jobs", default=cores, metavar="N", help="cores to use (default: all)")
+    add_jobs(output, "cores to use (default: all)", os.cpu_count() or 1)
 
 
 def main(words: Sequence[str]) -> int:
@@ -200,7 +199,7 @@ def _run(options: argparse.Namespace, command: Command, progress: Progress) -> i
     size, dpi = _size(options, command)
     for path in out:
         export.kind(path)
-    runner = Runner(integer(options.jobs, "jobs", (1, 256)), progress.tell)
+    runner = Runner(options.jobs, progress.tell)
     with entry.loading():
         function = command.function()
     findings = function(p, runner=runner, **given)

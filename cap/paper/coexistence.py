@@ -2,6 +2,7 @@
 
 import math
 from collections import Counter
+from fractions import Fraction
 from functools import partial
 
 from cap.floats.diagnostics.trajectory import trajectory
@@ -33,14 +34,17 @@ def _row(name: str, title: str) -> Row:
 def orbit(_run: Run, name: str) -> Found:
     """Prove an orbit: the claims of the theorem, and what follows."""
     own = theorem("periodic", STARTS[name], F)
-    product = math.prod(float(low) for low, _ in own["turning_factors"])
+    low, high = (
+        math.prod(map(Fraction, each)) for each in zip(*own["turning_factors"], strict=True)
+    )
+    least, most = map(Fraction, own["determinant"])
     ends = (interval.ball(interval.stated(end)) for end in own["determinant"])
     modulus = interval.hull(*ends).sqrt()  # of multipliers that are complex
     return own | {
         **events.counted(own["itinerary"]),
         "modulus": interval.outward(modulus, PLACES),
-        "product": product,
-        "error": abs(product - float(own["determinant"][0])),
+        "product": float(low),
+        "error": max(high - least, most - low),  # the factors are positive
     }
 
 

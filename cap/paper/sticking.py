@@ -85,7 +85,7 @@ def capture(run: Run) -> Found:
     caught = data(run).captured
     return {
         "near": NEAR_WALL,
-        "end": float(theorem("capture", NEAR_WALL)["accumulation_time"][1]),
+        "end": theorem("capture", NEAR_WALL)["accumulation_time"][1],
         "hits": len(caught.times),
         "ratio": caught.speeds[-1] / caught.speeds[-2],
         "limit": caught.ratio,

@@ -92,8 +92,6 @@ def test_a_claim_that_cannot_be_decided(run, monkeypatch):
         (("--only", "roots.value-of-f"), "no claim 'roots.value-of-f': did you mean "),
         (("--section", "0.5"), "no section '0.5'"),
         (("--verdict", "wrong"), "invalid choice: 'wrong' (choose from "),
-        (("--jobs", "0"), "--jobs must be an integer"),
-        (("--jobs", "two"), "--jobs must be an integer"),
         (("--patch", "none.tex"), "cannot read none.tex: No such file or directory\n"),
         (("--paper", "none.tex"), "cannot read none.tex: No such file or directory\n"),
         (("--format", "word"), "invalid choice"),
@@ -102,6 +100,12 @@ def test_a_claim_that_cannot_be_decided(run, monkeypatch):
             "no paper 'church_fortins' is audited: did you mean ",
         ),
         (("else",), "unrecognized arguments"),
+        (("--recorded", "--record"), "--recorded does not go with --record"),
+        (("--recorded", "--fresh"), "--recorded does not go with --fresh"),
+        (("--summary", "--record"), "--summary does not go with --record"),
+        (("--erratum", "--section", "4"), "--erratum does not go with --section"),
+        (("--patch", "a.tex", "--paper", "b.tex"), "--paper does not go with --patch"),
+        (("--paper", "a.tex", "--only", "roots"), "--paper does not go with --only"),
     ],
 )
 def test_requests_that_make_no_sense(run, words, complaint):
@@ -131,14 +135,18 @@ def test_coverage_fails(run, monkeypatch):
 @pytest.mark.slow
 def test_the_paper(run, tmp_path, monkeypatch, elsewhere):
     """Another file has other places: status 1; with --record they are stored."""
-    path = tmp_path / "paper.tex"
+    path, claim = tmp_path / "paper.tex", replace(ledger.claims()[ONE], where="sec:intro")
     path.write_text(r"\section{One}\label{sec:intro}")
-    assert run("--paper", str(path))[0] == 1
+    assert run("--paper", str(path)) == (
+        *(2, "", "error: this is another text: no sentence of the paper is in it\n"),
+    )
     usual = subject.file("labels.json").read_text("utf-8")
     elsewhere("labels.json").write_text(usual)
+    monkeypatch.setattr("cap.audit.ledger.claims", lambda: {ONE: claim})
     status, _, err = run("--paper", str(path), "--record")
     assert (status, err.startswith("error: not once in ")) == (2, True)
-    monkeypatch.setattr("cap.audit.ledger.quotes", dict)
+    path.write_text(f"\\section{{One}}\\label{{sec:intro}} {claim.quote}")
+    assert run("--paper", str(path))[0] == 1
     monkeypatch.setattr("cap.audit.errata.changes", tuple)
     assert run("--paper", str(path), "--record")[0] == 0
     labels.stored.cache_clear()

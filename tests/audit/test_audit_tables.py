@@ -1,5 +1,6 @@
 """The tables of figures as claims: each row is decided singly."""
 
+import re
 import sys
 import types
 from importlib import import_module
@@ -7,6 +8,7 @@ from importlib import import_module
 import pytest
 
 from cap.audit import coverage, ledger, subject, tables
+from cap.audit.comparison import compared, value
 from cap.audit.decide import all_decided, decided
 from cap.audit.papers.mixed_dynamics.means.printed import printed
 from cap.audit.report.view import Report
@@ -263,6 +265,51 @@ def test_rows_that_steps_decide(row, ours, outcome):
     found = tables._by_steps({"what": "x", "paper": "0.637", **row}).verdict
     assert (found.found, found.outcome, found.strength) == (ours, outcome, Strength.PROVED)
     assert found.evidence == ("0.4." if "why" in row else "")
+
+
+@pytest.mark.parametrize(
+    ("paper", "ours", "right"),
+    [
+        ("0.123", ["0.1239", "0.12399"], True),
+        ("0.124", ["0.1239", "0.12399"], False),  # rounded
+        ("0.123", ["0.1229", "0.1229"], False),
+        ("-0.123", ["-0.1239", "-0.1238"], True),
+        ("-0.123", ["-0.1229", "-0.1228"], False),
+    ],
+)
+def test_a_number_that_is_cut(paper, ours, right):
+    """What follows are further digits; a rounded one, or a smaller one, is another."""
+    row = {"what": "x", "paper": paper, "value": "x", "cut": True}
+    outcome = compared(row, {"x": ours}).outcome
+    assert outcome is (Outcome.CONFIRMED if right else Outcome.CORRECTED)
+
+
+def test_of_several_runs_the_range_agrees():
+    """To half a unit of the last digit; of integers no farther."""
+    for paper, right in (("0.42", False), ("0.43", True), ("0.45", True), ("0.46", False)):
+        assert (value(paper, [0.434, 0.447])[1] is Outcome.CONFIRMED) is right
+    assert value("4", [5.0, 7.0])[1] is Outcome.CORRECTED
+
+
+CALCULATED = {  # from a formula of the text
+    "fig-model-schematic.period-t-2-pi-omega-the-paper-2-pi",
+    "fig-bifurcation.exponent-of-rotation-number-over-distance-from-the-end",
+    "fig-continuation.exponent-of-mu-in-the-positive-lyapunov-exponent",
+}
+
+
+def test_numbers_are_those_of_the_quotations():
+    """A decimal that a claim states is in the piece of the text that it is taken from."""
+    decimals = {
+        name: each
+        for name, each in ledger.claims().items()
+        if re.fullmatch(r"[-+]?\d+\.\d+", each.stated) and name not in CALCULATED
+    }
+    assert len(decimals) > 70
+    for name, each in decimals.items():
+        assert re.search(rf"(?<![\d.]){re.escape(each.stated.strip('+-'))}(?!\d)", each.quote), name
+        minus = f"-{each.stated[1:]}" in each.quote
+        assert minus is each.stated.startswith("-"), name
 
 
 def test_a_row_with_a_step_that_fails():

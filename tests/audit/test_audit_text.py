@@ -5,12 +5,14 @@ that every change fits, was found when its places were read: `labels.stored().bo
 """
 
 import subprocess
+from dataclasses import replace
 
 import pytest
 
 from cap.audit import errata, ledger, revision
 from cap.audit.manuscript import Manuscript
 from cap.audit.revision import State
+from cap.errors import BadInput
 
 TWIST = "birkhoff.value-of-the-twist"
 CHANGES = pytest.mark.parametrize("change", errata.changes(), ids=lambda each: each.claims[0])
@@ -18,7 +20,8 @@ CHANGES = pytest.mark.parametrize("change", errata.changes(), ids=lambda each: e
 
 def state(name, text):
     """Return what became of a claim's sentence in a text."""
-    return revision.sentence(name, Manuscript(text))[0]
+    new = Manuscript(text)
+    return revision.sentence(name, new, errata.undone(new))[0]
 
 
 def test_pieces_are_found_however_lines_are_broken():
@@ -27,6 +30,24 @@ def test_pieces_are_found_however_lines_are_broken():
     assert text.lines("three four") == [2, 3]
     assert text.count("two three") == 1
     assert text.replaced("three four", r"\3").text == "one\ntwo \\3 \\3"
+
+
+def test_pieces_are_no_parts_of_words_or_numbers():
+    """A digit more, or a sign of a word before, makes another one."""
+    text = Manuscript("at -0.42, 0.425, 10.4 and 1.5.2, words; swords 10.4")
+    found = [text.count(each) for each in ("-0.42", "0.42", "0.425", "10.4", "1.5", "0.4", "words")]
+    assert found == [1, 0, 1, 2, 0, 0, 1]
+    assert text.replaced("words", "x").text.endswith("x; swords 10.4")
+
+
+def test_what_is_not_printed():
+    """Comments, what is switched off, and what follows the end; lines stay those of the file."""
+    text = Manuscript(
+        "a 5\\% b % c\nd \\\\% e\n\\iffalse f\n\\fi g\n"
+        "\\begin{comment}\nh\\end{comment}i\n\\end{document}\nj"
+    ).printed
+    assert text.text.split() == ["a", r"5\%", "b", "d", r"\\", "g", "i", r"\end{document}"]
+    assert [text.lines(each) for each in "dgi"] == [[2], [4], [6]]
 
 
 def test_title_and_author():
@@ -98,6 +119,29 @@ def test_a_number_that_changes(new, expected):
     assert state(TWIST, text) is expected
 
 
+@pytest.mark.parametrize(
+    ("name", "old", "new", "expected"),
+    [
+        (
+            "introduction.an-elliptic-orbit-exists",
+            "0.4",
+            "0.5",
+            State.CHANGED,
+        ),  # no number that was found
+        ("gallery.orbit-at-three", "-0.968", "+0.578", State.CHANGED),  # that of another
+        ("gallery.orbit-at-three", "-0.968", "-0.9678", State.CORRECTED),
+        ("gallery.orbit-at-three", "-0.968", "-0.9679", State.CHANGED),
+        ("roots.value-of-f-sc", "0.34790", "0.348", State.CHANGED),  # fewer digits
+        ("wellposed.turns-are-apart", "2", "1", State.CHANGED),  # of a formula
+    ],
+)
+def test_a_number_that_becomes_another(name, old, new, expected):
+    """One that was right has to stay it; a number that is found is not any number."""
+    piece = ledger.quotes()[name]
+    assert old in piece
+    assert state(name, piece.replace(old, new)) is expected
+
+
 def test_the_erratum_is_recognised():
     """All changes of a claim have to be made; what is around a change is changed by it."""
     name = "linearization.impulse-bound-in-f"
@@ -108,8 +152,15 @@ def test_the_erratum_is_recognised():
     assert state(around, ledger.quotes()[around].replace(olds[-1], news[-1])) is State.CORRECTED
     assert state(around, news[-1]) is State.GONE
     beside = "linearization.value-of-the-bound"  # its quotation begins inside of a change
-    assert state(beside, news[-1]) is State.CORRECTED
-    assert state(beside, f"{news[-1]} {olds[-1]}") is State.GONE
+    rest = ledger.quotes()[beside].removeprefix(r"$F_{\rm imp} = \pi f / (2\omega)")
+    assert state(beside, news[-1] + rest) is State.CORRECTED
+    assert state(beside, news[-1] + rest.replace("our", "other")) is State.GONE
+    assert state(beside, f"{news[-1]}{rest} {olds[-1]}") is State.GONE
+    more = "stops.tangency-times"  # and this has words that no change is about
+    (change,) = errata.of(more)
+    corrected = ledger.quotes()[more].replace(change.old, change.new)
+    assert state(more, corrected) is State.CORRECTED
+    assert state(more, corrected.replace("only when", "never when")) is State.CHANGED
     inside = "fig-hist-cont.orbits-at-each-f-but-2"  # and here a change is a part of it
     (change,) = errata.of("gallery.range-of-the-counts")
     corrected = ledger.quotes()[inside].replace(change.old, change.new)
@@ -123,6 +174,33 @@ def test_what_is_told_of_a_version():
     text = "\n\n".join(pieces).replace(
         "yields $\\tau_1 \\approx -0.42", "yields $\\tau_1 \\approx 0.1135"
     )
+    hidden = ledger.quotes()["roots.value-of-f-sc"]
+    text = text.replace(hidden, "\n% ".join(["", *hidden.splitlines()]) + "\n")
     lines = revision.told(Manuscript(text))
+    assert any(line.startswith("gone: roots.value-of-f-sc: ") for line in lines)
     assert any(line.startswith(f"corrected: {TWIST}: now 0.1135; found:") for line in lines)
     assert "of them formulas and numbers" in lines[-1]
+
+
+def test_another_text():
+    """It is refused, rather than compared."""
+    for text in ("", "\\section{Another paper}"):
+        with pytest.raises(BadInput, match="another text"):
+            revision.told(Manuscript(text))
+
+
+def test_a_text_that_other_claims_need(tmp_path, monkeypatch):
+    """Its places are not stored if a claim has no place there, or what is new is there already."""
+    path = tmp_path / "paper.tex"
+    path.write_text("\\section{One}\\label{sec:one} by (c) and by (d)")
+    monkeypatch.setattr(ledger, "quotes", dict)
+    monkeypatch.setattr(errata, "changes", tuple)
+    with pytest.raises(BadInput, match=r"no label in .*: where .*roots\.value-of-f-sc"):
+        revision.fitted(path)
+    own = replace(ledger.claims()[TWIST], where="sec:one")
+    monkeypatch.setattr(ledger, "claims", lambda: {TWIST: own})
+    revision.fitted(path)
+    change = errata.Change((TWIST,), "by (c)", "by (d)")
+    monkeypatch.setattr(errata, "changes", lambda: (change,))
+    with pytest.raises(BadInput, match="has elsewhere what is new"):
+        revision.fitted(path)

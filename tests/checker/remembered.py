@@ -143,19 +143,19 @@ def release_cells_proved_once():
 @contextmanager
 def hints_read_once():
     """Read equal hints once; they are the same object then."""
-    known, tabled = {}, certificate.tabled
+    known, matched = {}, certificate.matched
 
-    def once(value, table, where):
+    def once(value, shape, where):
         if where != "hints":
-            return tabled(value, table, where)
-        key = json.dumps(value), id(table)
+            return matched(value, shape, where)
+        key = json.dumps(value), *map(id, shape.values())
         if key not in known:
-            known[key] = tabled(value, table, where)
+            known[key] = matched(value, shape, where)
         return known[key]
 
-    certificate.tabled = once
+    certificate.matched = once
     yield
-    certificate.tabled = tabled
+    certificate.matched = matched
 
 
 @singledispatch

@@ -12,6 +12,7 @@ from mpmath import mp, mpf
 from support import rounds, seeded
 
 from cap.checker.flow.losses import Lossy as Mechanics
+from cap.checker.kernel.jet import raised
 from cap.checker.one_one import pairs as pairs_of_orbits
 from cap.checker.one_one.closed_form import friction
 from cap.checker.one_one.taylor_model import rounded
@@ -19,6 +20,7 @@ from checker.parts import (
     Enclosure,
     Interval,
     Jet,
+    PaperEquation,
     Parameters,
     Pitchfork,
     Rejected,
@@ -55,11 +57,16 @@ def values_of_c(rho, c):
 
 def paper_equation(theta, c):
     """Give Psi, and its Newton operator at a point."""
-    proof = SymmetricOrbits.__new__(SymmetricOrbits)
-    proof.hints = {"bits": c.bits}
-    proof.p = Parameters(F(1), F(1), F(2, 5), F(0), F(2))
-    proof.R, proof.omega = F(2), F(1)
-    yield proof.psi(theta)
+    yield equation(c.bits).psi(theta)
+
+
+def equation(bits):
+    """Return the equation at F = omega = 1, f = 2/5, R = 2."""
+    theorem = SymmetricOrbits.__new__(SymmetricOrbits)
+    theorem.hints, theorem.claims = {"bits": bits}, {"paper_roots": []}
+    theorem.p = Parameters(F(1), F(1), F(2, 5), F(0), F(2))
+    theorem.R, theorem.omega = F(2), F(1)
+    return PaperEquation(theorem)
 
 
 def pairs(rho, delta):
@@ -84,6 +91,11 @@ def frame(a, b, c):
         yield from z
 
 
+def slope(q, n):
+    """Return the derivative of a quantity in the n-th variable."""
+    return q[raised(q.box.origin)[n]]
+
+
 def flight(x, v, t, e, mu):
     """Give the state, the speed and its least value on flights, and what hits and turns lose."""
     for sets in (None, {"e": ends(e), "mu": ends(mu)}):
@@ -93,12 +105,12 @@ def flight(x, v, t, e, mu):
             when = M.moment(M.constant(t))
             place, speed = M.place(start, when), M.speed(start, when)
             for q in (place, speed, when.cos, when.sin):
-                yield from (q.value, q.slope(0), q.slope(1))
+                yield from (q.value, slope(q, 0), slope(q, 1))
             yield M.least_speed(start, when)
             yield from (q.value for q in M.parameters.values())
             later = M.flight(-s, when, place, speed)
             for q in later.arc[:2]:
-                yield from (q.value, q.slope(1))
+                yield from (q.value, slope(q, 1))
             yield from (m for minimum in M.minima[s] for m in (q.value for q in minimum))
 
 
@@ -155,14 +167,10 @@ def test_over_sets(formula, bits):
 @pytest.mark.parametrize("bits", [12, 16, 24, 53])
 def test_roots_are_in_what_is_returned(bits):
     """The first root of the paper's equation, whatever the precision: Newton's image is a set."""
-    proof = SymmetricOrbits.__new__(SymmetricOrbits)
-    proof.hints = {"bits": bits}
-    proof.p = Parameters(F(1), F(1), F(2, 5), F(-1), F(1))
-    proof.R, proof.omega = F(2), F(1)
     with mp.workdps(30):
         root = F(str(mp.findroot(_psi, 1.2)))
     wide = F(1, 20)
-    found = proof.root(Enclosure(root - wide, root + wide, ("", "")))
+    found = equation(bits).root(Enclosure(root - wide, root + wide, ("", "")))
     low, high = (F(end, 2**bits) for end in (found.lo, found.hi))
     assert low < root < high
     assert high - low < F(1, 100) + F(40, 2**bits)

@@ -23,7 +23,7 @@ STATE = Fraction("0.1003"), Fraction("0.5419")
 
 def times(x, v, centre):
     """Return the times of the events from a box."""
-    phi = LossyMap(PAPER, WORDS, WINDOWS, 1)
+    phi = LossyMap(PAPER, WINDOWS, WORDS, 1)
     passage = phi.over([Interval.enclosing(*z, BITS) for z in (x, v)], centre, 2)
     return [event.moment.t for event in passage.events]
 

@@ -147,7 +147,7 @@ def test_slopes():
 
     def slopes(x, y):
         a, b = Slope(thin(x), {0: thin(1)}), Slope(thin(y), {1: thin(1)})
-        return (a * b + a) / (b * b + a.scaled(Fraction(3)))
+        return (a * b + a) / (b * b + a * Fraction(3))
 
     point, h = (Fraction(2, 3), Fraction(-5, 4)), Fraction(1, 10**7)
     found = slopes(*point)

@@ -48,6 +48,7 @@ MORE = {
     "persistence": {"periodic"},
 }
 LOADERS = {"theorems", "attracting"}  # rooms whose files are loaded by their names
+BY_NAME = {"theorems", "kernel.later"}  # where this is done
 FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy", "numba", "matplotlib"}
 
 
@@ -150,6 +151,23 @@ def test_what_is_claimed_to_attract_is_loaded_only_then(name, tmp_path):
         assert not used & {"theorems.attractor", "kernel.jet", "release.kneading"}
 
 
+@pytest.mark.parametrize("claimed", [True, False])
+def test_the_equation_of_the_paper_is_loaded_where_its_roots_are_claimed(claimed, tmp_path):
+    """Without them the theorem on symmetric orbits is proved, too, by the files that are listed."""
+    certificate = json.loads((STORED / "symmetric.json").read_text("utf-8"))
+    if not claimed:
+        del certificate["claims"]["paper_roots"]
+    path = tmp_path / "symmetric.json"
+    path.write_text(json.dumps(certificate))
+    code = f"from cap import verify; assert verify.main(['--explain', {str(path)!r}]) == 0"
+    lines = printed(f"{code}; import sys; print(*sys.modules)")
+    used = {m.removeprefix("cap.checker.") for m in lines[-1].split() if "cap.checker." in m}
+    pages = listed("symmetric")
+    more = pages["paper_roots"] if claimed else []
+    assert sorted(pages[""] + more) == sorted(used - (ROOMS["symmetric"] - LOADERS) | {"verdict"})
+    assert any("paper's equation" in line for line in lines) == claimed
+
+
 @pytest.mark.slow
 def test_every_module_can_be_imported_alone():
     """No module depends on another being imported first: each is, after all are forgotten."""
@@ -165,8 +183,8 @@ for module in sys.argv[1:]:
 
 
 def test_no_import_is_late():
-    """What a module of the checker needs it imports at its beginning; only theorems, and what
-    attracts, are loaded by their names."""
+    """What a module of the checker needs it imports at its beginning; only theorems, and parts of
+    them that are not always claimed, are loaded by their names."""
     for module in MODULES:
         path = Path(__import__(module, fromlist=["x"]).__file__)
         text = path.read_text(encoding="ascii")
@@ -174,7 +192,7 @@ def test_no_import_is_late():
         found = [n for n in ast.walk(tree) if isinstance(n, ast.Import | ast.ImportFrom)]
         assert all(node in tree.body for node in found), module
         by_name = "import_module" in text or "__import__" in text
-        assert by_name == (module.removeprefix("cap.checker.") in LOADERS), module
+        assert by_name == (module.removeprefix("cap.checker.") in BY_NAME), module
 
 
 def test_the_checker_contains_no_assert():

@@ -43,9 +43,8 @@ def passage(x, v, windows, parameters=PARAMETERS, radius="0", order=2):
     rho, m = Fraction(radius), (Fraction(x), Fraction(v))
     box = [Interval.enclosing(q - rho, q + rho, 128) for q in m]
     centre = [Interval.enclosing(q, q, 128) for q in m]
-    words = [("hit r", "hit l")[(n + (m[1] < 0)) % 2] for n in range(len(windows))]
     windows = [(Fraction(a), Fraction(b)) for a, b in windows]
-    return PeriodMap(p, words, windows).over(box, centre, order)
+    return PeriodMap(p, windows).over(box, centre, order)
 
 
 @pytest.mark.parametrize("x", ["1", "-1", "1.5", "-2"])
@@ -104,6 +103,9 @@ def test_the_passage_of_the_free_mass():
         (Fraction(1, 2) + k - Fraction(1, 9), Fraction(1, 2) + k + Fraction(1, 9)) for k in range(6)
     ]
     result = passage("0", "2", windows, parameters)
-    for k, hit in enumerate(result.hits):
+    for k, hit in enumerate(result.events):
         assert abs(float(hit.moment.t[0, 0].lower) - 0.5 - k) < 1e-4
     assert abs(float(result.v[0, 0].lower) - 2) < 1e-4
+    other = passage("0", "-2", windows, parameters)
+    assert [hit.word for hit in result.events] == ["hit r", "hit l"] * 3
+    assert [hit.word for hit in other.events] == ["hit l", "hit r"] * 3

@@ -197,7 +197,7 @@ def test_coefficients_that_are_not_there():
     constant = Jet(2, {(0, 0): thin(5)})
     x, _ = box_pair(2, "1/2", "1/3", "1/1000")
     five = Centred(constant, constant, x.offsets)
-    assert (five[1, 0].lo, five[1, 0].hi, five.slope(1).lo, five.slope(1).hi) == (0, 0, 0, 0)
+    assert (five[1, 0].lo, five[1, 0].hi, five[0, 1].lo, five[0, 1].hi) == (0, 0, 0, 0)
     with pytest.raises(Rejected, match="beyond the order"):
         five[2, 1]
 

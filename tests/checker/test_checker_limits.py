@@ -9,7 +9,7 @@ import pytest
 from cap.checker.flow.events import limit_events
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.shapes import matched, tabled
+from cap.checker.kernel.shapes import columns, matched
 from cap.checker.theorems import branch, load
 from checker.altered import changed, encode, rejected
 
@@ -40,7 +40,7 @@ def hinted(theorem, bits, events, order=None, cells=None):
     if cells:
         cell = {key: POINT[key] for key in ("centre", "preconditioner")}
         hints["cells"] = [cell | {"events": hints["events"]}] * cells
-    read_hints = tabled(hints, load(theorem).HINTS, "hints")
+    read_hints = matched(hints, columns(load(theorem).HINTS), "hints")
     limit = load(theorem).limit if theorem in ("saddle", "elliptic") else limit_events
     limit(read_hints, dict.fromkeys(("itinerary", "event_times"), [None] * events))
     return read_hints["bits"]

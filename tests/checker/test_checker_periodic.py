@@ -59,7 +59,7 @@ def compared(certificate):
     """Return the proof, its fixed point and its orbit, before the comparisons."""
     proof = Periodic(read(encode(certificate)), lambda _: None)
     fixed_point = proof.localisation()
-    return proof, fixed_point, proof.near(fixed_point, fixed_point, proof.orbit_order)
+    return proof, fixed_point, proof.near(fixed_point, fixed_point, 2)
 
 
 def replaced(claims, path, value):
@@ -79,7 +79,7 @@ def test_every_claim_is_compared_at_both_ends_and_for_its_width(forged, name):
     certificate = forged[name]
     proof, fixed_point, orbit = compared(certificate)
     claims, count = proof.claims, 0
-    proof.point(fixed_point, orbit)
+    proof.orbit(fixed_point, orbit)
     for path, (lower, upper) in leaves(claims_without_sets(certificate)):
         a, b = Fraction(lower), Fraction(upper)
         width, middle = b - a, abs(a + b) / 2
@@ -92,7 +92,7 @@ def test_every_claim_is_compared_at_both_ends_and_for_its_width(forged, name):
         for ends in wrong[kind.startswith("capture") :]:
             proof.claims = replaced(claims, path, ends)
             with pytest.raises(Rejected, match=r"contain|wider|exactly"):
-                proof.point(fixed_point, orbit)
+                proof.orbit(fixed_point, orbit)
             count += 1
     assert count > 40
 

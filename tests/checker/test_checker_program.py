@@ -16,7 +16,7 @@ BITS = 40
 
 def formula(x, y, z, two):
     """Use each operation, in places where signs differ, and what is left out."""
-    third = x.scaled(Fraction(-1, 3)) + y.scaled(Fraction(0)) + z.scaled(Fraction(1))
+    third = x * Fraction(-1, 3) + y * Fraction(0) + z * Fraction(1)
     product = (x - y) * third * two - (-z) * two.integer(1) + x * x * two.integer(0)
     return [product, (product + z) / (y * y + two), x / two, -product, two * two, two + two - two]
 

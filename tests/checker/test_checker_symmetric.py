@@ -84,11 +84,14 @@ def test_every_number_of_pitchfork(pitchfork):
 
 
 def test_what_is_malformed(symmetric, pitchfork):
-    """Fields missing, added, of another type are noticed when read, or later."""
+    """Fields missing, added, of another type are noticed when read, or later; but the roots of the
+    paper's equation need not be claimed."""
     for certificate in (symmetric, pitchfork):
         bad = [altered for _, altered in malformed(certificate)]
         assert len(bad) > 500
-        assert not any(accepted(altered) for altered in bad)
+        fine = [altered for altered in bad if accepted(altered)]
+        without = [altered for altered in fine if "paper_roots" not in altered["claims"]]
+        assert len(fine) == len(without) == (certificate is symmetric)
 
 
 @pytest.mark.parametrize("name", ["F", "omega", "f", "l", "r"])

@@ -7,8 +7,9 @@ from fractions import Fraction
 import pytest
 
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.system.all_f import ForAllF
+from cap.checker.system.lossy import WithLosses
 from cap.checker.system.masses import TwoMasses
-from cap.checker.system.walls import BetweenWalls
 
 GOOD = {"F": "1", "omega": "1", "f": "2/5", "l": "-1", "r": "1", "e": "1", "mu": "0"}
 MASSES = {k: q for k, q in GOOD.items() if k not in ("e", "mu")} | {"masses": ["1", "9/10"]}
@@ -44,7 +45,7 @@ def exact(value):
 
 def cases(table):
     """Yield each theorem, with one parameter changed."""
-    for theorem, given in ((BetweenWalls, GOOD), (TwoMasses, MASSES)):
+    for theorem, given in ((WithLosses, GOOD), (TwoMasses, MASSES)):
         for name in given:
             for value in table[name]:
                 yield theorem, {k: exact(q) for k, q in (given | {name: value}).items()}
@@ -69,7 +70,8 @@ def test_they_are_read(theorem, given):
 def test_a_theorem_about_all_f():
     """Its f is set to 0, and without losses e = 1, mu = 0."""
     given = {name: exact(GOOD[name]) for name in ("F", "omega", "l", "r")}
-    assert BetweenWalls.parameters(given)[2:] == (0, -1, 1, 1, 0)
+    assert ForAllF.PARAMETERS.keys() == given.keys()
+    assert ForAllF.parameters(given)[2:] == (0, -1, 1, 1, 0)
 
 
 @pytest.mark.parametrize("masses", [["0", "1"], ["1", "-1"]])

@@ -87,7 +87,6 @@ def test_two_releases_in_a_round(tmp_path, capsys):
         ("examples/billiard.py", (), "not of degree 1 in one variable"),
         ("examples/impact_oscillator.py", (), "the clock alone decides when"),
         ("examples/belt.py", ("--set", "c=1"), "no parameter c"),
-        ("examples/belt.py", ("--jobs", "0"), "integer from 1"),
         ("examples/belt.py", ("--out", "/nowhere/at/all.json"), "cannot write"),
     ],
 )

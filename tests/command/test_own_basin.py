@@ -88,7 +88,6 @@ def test_too_few_cells():
         (["--box", "0", "0", "-2", "2", "--until", "6"], "--box has no area"),
         (["--box", "0", "2", "--until", "6"], "--box is the least and the greatest"),
         ([*BOX, "--cells", "0"], "integer from 1"),
-        ([*BOX, "--jobs", "0"], "integer from 1"),
         ([*BOX, "--guard", "table"], "--guard is MODE/GUARD"),
         ([*BOX, "--out", "/nowhere/at/all.json"], "cannot write"),
     ],

@@ -43,7 +43,6 @@ def test_beyond_the_last_curve(capsys, tmp_path):
         (["--rotation", "0.6"], "continued fraction"),
         (["--rotation", "[0;0,(1)]"], "quotient 0"),
         (["--set", "c=1"], "no parameter c"),
-        (["--jobs", "0"], "integer from 1"),
         (["--out", "/nowhere/at/all.json"], "cannot write"),
     ],
 )

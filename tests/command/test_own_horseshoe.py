@@ -38,7 +38,6 @@ def test_from_a_file_to_a_certificate(tmp_path, capsys):
         (["--effort", "9"], "integer from 1 to 5"),
         (["--sets", "few"], "must be one of"),
         (["--set", "c=1"], "no parameter c"),
-        (["--jobs", "0"], "integer from 1"),
         (["--out", "/nowhere/at/all.json"], "cannot write"),
     ],
 )

@@ -145,7 +145,6 @@ def test_rejections_are_tried():
         ([str(STORED / "saddle.json"), "--out", "picture.csv"], "no picture"),
         ([str(ROOT / "CITATION.cff")], "is no certificate"),
         (["nowhere.json"], "error: cannot read"),
-        (["saddle", "--jobs", "0"], "jobs"),
     ],
 )
 def test_bad_input(words, why, capsys):

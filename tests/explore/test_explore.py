@@ -137,7 +137,6 @@ BAD = {
     "axes": ["plane", "--axes", "f", "f"],
     "no capture": ["chatter", "--orbit", "0.1002798898", "0.5419433068"],
     "size": ["orbit", "--size", "0", "4"],
-    "jobs": ["orbit", "--jobs", "0"],
     "what": ["orbits"],
     "nothing": [],
     "too much": ["portrait", "--orbits", "100000", "--periods", "1000000"],

@@ -64,3 +64,15 @@ def test_the_modulus_is_enclosed(monkeypatch):
     low, high = map(Fraction, coexistence.orbit(None, "focus")["modulus"])
     assert Fraction(49, 100) < low <= Fraction(1, 2)
     assert Fraction(3, 5) <= high < Fraction(61, 100)
+
+
+def test_a_product_of_factors_is_enclosed(monkeypatch):
+    """It differs from the determinant by no more than both are wide, whatever is in them."""
+    claims = {
+        "determinant": ["0.24", "0.26"],
+        "turning_factors": [["0.4", "0.6"], ["0.5", "0.5"]],
+        "itinerary": [],
+    }
+    monkeypatch.setattr(coexistence, "theorem", lambda *_: claims)
+    monkeypatch.setattr(coexistence.events, "counted", lambda _: {})
+    assert coexistence.orbit(None, "focus")["error"] == Fraction(6, 100)

@@ -94,12 +94,13 @@ def test_too_many_cells(monkeypatch):
 
 def test_as_many_nodes_as_the_checker_reads(monkeypatch):
     """One more would be too much work for it."""
-    bits, most = setting().checker_bits, particle_cells._most_nodes(setting(), 8)
+    asked = Setting(PAPER, Start(0.1, 0.54, ()), 10)
+    bits, most = asked.checker_bits, particle_cells._most_nodes(asked, 8)
     assert 64 < most < particle_cells.MOST_NODES
     limit = particle_cells.MOST_WORK
     assert particle_cells.work(bits, 8, most) <= limit < particle_cells.work(bits, 8, most + 1)
     monkeypatch.setattr(particle_cells, "MOST_WORK", 1)
-    assert particle_cells._most_nodes(setting(), 8) == 0
+    assert particle_cells._most_nodes(asked, 8) == 0
 
 
 def test_the_checker_may_follow_with_wider_rates():

@@ -43,7 +43,7 @@ OTHER = {  # what looks like one
     "cap/floats/search/spanning.py": "a ball on a table: no friction",
     "cap/floats/coverings/planar.py": "a response at a slow time, given to the flight",
     "cap/sets/circular.py": "the series of the cosine",
-    "cap/checker/theorems/symmetric.py": "the paper's equation, and what it has for a velocity",
+    "cap/checker/one_one/paper_equation.py": "the paper's equation, and what it has for a velocity",
     "proofs/symmetric.py": "the paper's equation, and what it has for a velocity",
     "proofs/one_one.py": "sympy: derivatives and integrals are taken there",
     "proofs/symplectic_signs.py": "sympy: the integral of the force",

@@ -6,14 +6,13 @@ those of what is claimed are loaded, with all that they need.
 
 from __future__ import annotations
 
-from importlib import import_module
-
 from cap.checker.attracting.part import Part
+from cap.checker.kernel.later import loaded
 
 NAMES = ("attractor", "segment", "cycles", "sinks")
 
 
 def load(name: str) -> type[Part]:
     """Return the kind of what attracts that has one of these names."""
-    part: type[Part] = import_module(f"{__name__}.{NAMES[NAMES.index(name)]}").PART
+    part: type[Part] = loaded(f"{__name__}.{NAMES[NAMES.index(name)]}")
     return part

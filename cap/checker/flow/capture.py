@@ -23,11 +23,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from cap.checker.flow.hits import SIDES, Hit
+from cap.checker.flow.hits import HITS, Hit
 from cap.checker.flow.losses import Lossy
 from cap.checker.flow.mechanics import Ends
 from cap.checker.flow.one_mass import MODES
-from cap.checker.flow.stops import Event, Rest, span
+from cap.checker.flow.stops import SIDES, Event, Rest, span
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Jet
 from cap.checker.kernel.rejection import Rejected, need
@@ -83,7 +83,7 @@ def _entry(M: Lossy, before: Event | Hit | None, side: int, window: Ends) -> Ent
         need(window[0] == 0, "the window of a capture does not begin at 0")
         height = (M.walls[side] - M.variables[0].value) * side
         return Entry(_ends(M.variables[1].value.magnitude())[1], _ends(height)[1])
-    if not isinstance(before, Hit) or before.word != ("hit r" if side > 0 else "hit l"):
+    if not isinstance(before, Hit) or before.word != HITS[side]:
         raise Rejected("a capture not after its hit")
     late = window[0] > before.moment.t.value.lower
     need(not late, "the window of a capture begins after the hit before it")

@@ -12,7 +12,7 @@ from typing import Any
 
 from cap.checker.flow.capture import capture
 from cap.checker.flow.exponential import phi
-from cap.checker.flow.hits import Hit, hit
+from cap.checker.flow.hits import HITS, Hit, hit
 from cap.checker.flow.itinerary import Passage, PeriodMap, limit_work, passage, work
 from cap.checker.flow.losses import Lossy
 from cap.checker.flow.mechanics import Box, Ends, Flight, Mechanics
@@ -36,6 +36,7 @@ class LossyMap(PeriodMap):
     ``sets`` are intervals for e and mu in the place of those in the parameters.
     """
 
+    itinerary: Sequence[str]
     periods: int = 1
     sets: Mapping[str, Ends] = field(default_factory=dict)
 
@@ -70,7 +71,12 @@ class LossyMap(PeriodMap):
             return capture(M, before[-1] if before else None, word, window)
         if kind == "release":
             return release(M, resting(now), word, window)
-        return {"hit": hit, "turn": turn, "stick": stick}[kind](M, moving(now), word, window)
+        flight = moving(now)
+        if kind == "hit":
+            ahead = word == HITS[flight.s]
+            need(ahead, "a hit of the wall from which the mass moves away")
+            return hit(M, flight, window)
+        return {"turn": turn, "stick": stick}[kind](M, flight, word, window)
 
 
 def moving(state: Flight | Rest | None) -> Flight:

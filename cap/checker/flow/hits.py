@@ -23,7 +23,7 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, RealJet, cos_sin_jet, lift, tightened
 from cap.checker.kernel.rejection import need
 
-SIDES = {"r": 1, "right": 1, "l": -1, "left": -1}
+HITS = {1: "hit r", -1: "hit l"}  # of the wall ahead
 
 
 class Hit(NamedTuple):
@@ -45,10 +45,9 @@ def windowed(M: Mechanics, flight: Flight, window: Ends) -> tuple[Moment, Moment
     return first, last
 
 
-def hit(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Hit, Flight]:
+def hit(M: Mechanics, flight: Flight, window: Ends) -> tuple[Hit, Flight]:
     """Prove that the flight ends with a hit in the window; return it and the flight after it."""
     s, wall = flight.s, M.walls[flight.s]
-    need(SIDES[word.split()[1]] == s, "a hit of the wall from which the mass moves away")
     first, last = windowed(M, flight, window)
     need(M.least_speed(flight, last).is_positive(), "the velocity may vanish before a hit")
     before, after = ((M.place(flight, m).value - wall) * s for m in (first, last))
@@ -57,7 +56,7 @@ def hit(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Hit, Fli
     moment = M.moment(event_time(M, flight.arc, window, Zero(*M.course(s), wall)))
     speed = M.speed(flight, moment)
     v = lift(lambda u, e: u * e * -s, speed, M.e)
-    found = Hit(word, moment, moment.cos.value * M.F, speed, flight)
+    found = Hit(HITS[s], moment, moment.cos.value * M.F, speed, flight)
     return found, M.flight(-s, moment, M.constant(wall), v)
 
 

@@ -50,15 +50,15 @@ class Passage(NamedTuple):
     v: Centred
 
     @property
-    def hits(self) -> list[Hit]:
-        """The hits."""
-        return [e for e in self.events if isinstance(e, Hit)]
+    def jacobian(self) -> list[list[Interval]]:
+        """The derivative of the state at the end by that at the beginning."""
+        return [[z[1, 0], z[0, 1]] for z in (self.x, self.v)]
 
     @property
     def least_speed(self) -> Interval:
         """The least speed, if all events are hits and mu = 0."""
         M = self.mechanics
-        slowest = [M.least_speed(h.flight, h.moment) for h in self.hits]
+        slowest = [M.least_speed(hit.flight, hit.moment) for hit in self.events]
         return least([*slowest, M.least_speed(self.last, M.at(M.horizon))])
 
 
@@ -76,22 +76,19 @@ def passage(M: Mechanics, events: list[Any], last: Flight) -> Passage:
 
 @dataclass(frozen=True)
 class PeriodMap:
-    """Phi near an orbit, with the itinerary that is to be proved, of hits, and a time window for
-    each word.
-    """
+    """Phi near an orbit of hits, with a time window for each that is to be proved."""
 
     p: Parameters
-    itinerary: Sequence[str]
     windows: Sequence[Ends]
 
     def over(self, box: Box, m: Box, order: int) -> Passage:
-        """Return the orbits from a box; on return, all of them have exactly the itinerary.
+        """Return the orbits from a box; on return, all of them have exactly these hits.
 
         Their initial and final states are strictly between the walls, of constant sign of v.
         """
         M = Mechanics(self.p, box, m, order)
         flight, hits = M.launch(), list[Hit]()
-        for word, window in zip(self.itinerary, self.windows, strict=True):
-            found, flight = hit(M, flight, word, window)
+        for window in self.windows:
+            found, flight = hit(M, flight, window)
             hits.append(found)
         return passage(M, hits, flight)

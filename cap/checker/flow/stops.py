@@ -27,7 +27,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import NamedTuple
 
-from cap.checker.flow.hits import SIDES, Zero, event_time, windowed
+from cap.checker.flow.hits import Zero, event_time, windowed
 from cap.checker.flow.losses import Lossy
 from cap.checker.flow.mechanics import Ends, Flight, Mechanics, Moment
 from cap.checker.flow.one_mass import MODES
@@ -36,6 +36,8 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
 from cap.checker.kernel.rejection import need
 from cap.checker.system.polynomial import variable
+
+SIDES = {"r": 1, "right": 1, "l": -1, "left": -1}
 
 
 class Rest(NamedTuple):

@@ -9,7 +9,6 @@ half of itself at each step.
 
 from __future__ import annotations
 
-from fractions import Fraction
 from functools import cache
 
 from cap.checker.kernel.interval import Interval
@@ -27,9 +26,7 @@ def pi(bits: int) -> Interval:
 
 def arccos(y: Interval) -> Interval:
     """Return an enclosure of {arccos t : t in y}; y must lie in the open interval (-1, 1)."""
-    need(
-        y.lies_inside(Fraction(-1), Fraction(1)), "arccosine of an interval that is not in (-1, 1)"
-    )
+    need(y.magnitude().is_before(1), "arccosine of an interval that is not in (-1, 1)")
     return Interval(_arccos_at(y.hi, y.bits).lo, _arccos_at(y.lo, y.bits).hi, y.bits)
 
 

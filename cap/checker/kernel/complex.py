@@ -22,9 +22,7 @@ class Complex(NamedTuple):
     def __neg__(self) -> Complex:
         return Complex(-self.re, -self.im)
 
-    def __mul__(self, other: Complex | int) -> Complex:  # type: ignore[override]
-        if isinstance(other, int):
-            return Complex(self.re * other, self.im * other)
+    def __mul__(self, other: Complex) -> Complex:  # type: ignore[override]
         re = self.re * other.re - self.im * other.im
         return Complex(re, self.re * other.im + self.im * other.re)
 

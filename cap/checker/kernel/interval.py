@@ -6,10 +6,10 @@ because
 
     floor(a) <= a <= ceil(a),    ceil(a) = -floor(-a),    and Python's ``//`` and ``>>`` are floor.
 
-Sums and products by an integer are exact.  The product of two integers in units 2^-bits has the
-unit 2^-2bits; one shift brings it back.  The extrema of x y over X x Y are at the corners; if X has
-one sign, the sign of an end of Y tells at which end of X.  Those of x / y with y > 0 are at x = lo
-for the least and at x = hi for the greatest value.
+Sums and products by an integer are exact, products by a fraction are rounded once.  The product of
+two integers in units 2^-bits has the unit 2^-2bits; one shift brings it back.  The extrema of x y
+over X x Y are at the corners; if X has one sign, the sign of an end of Y tells at which end of X.
+Those of x / y with y > 0 are at x = lo for the least and at x = hi for the greatest value.
 """
 
 from __future__ import annotations
@@ -62,10 +62,8 @@ class Interval:
 
     def with_bits(self, bits: int) -> Interval:
         """Return the interval in units 2^-bits: the same set, or a larger one if bits decrease."""
-        shift = bits - self.bits
-        if shift >= 0:
-            return Interval(self.lo << shift, self.hi << shift, bits)
-        return Interval(self.lo >> -shift, -(-self.hi >> -shift), bits)
+        lo, hi = self.lo << bits, -self.hi << bits
+        return Interval(lo >> self.bits, -(hi >> self.bits), bits)
 
     def _ends(self, other: Interval | int) -> tuple[int, int]:
         """Return the ends of the other operand in the unit of this one."""
@@ -86,11 +84,12 @@ class Interval:
     def __neg__(self) -> Interval:
         return Interval(-self.hi, -self.lo, self.bits)
 
-    def __mul__(self, other: Interval | int) -> Interval:
+    def __mul__(self, other: Interval | Fraction | int) -> Interval:
         a, b = self.lo, self.hi
-        if isinstance(other, int):
-            a, b = (a, b) if other >= 0 else (b, a)
-            return Interval(a * other, b * other, self.bits)
+        if not isinstance(other, Interval):
+            n, d = other.as_integer_ratio()
+            a, b = (a, b) if n >= 0 else (b, a)
+            return Interval(a * n // d, -(-b * n // d), self.bits)
         c, d = self._ends(other)
         if a >= 0:
             least, most = (a if c >= 0 else b) * c, (b if d >= 0 else a) * d
@@ -102,18 +101,11 @@ class Interval:
 
     def __truediv__(self, other: Interval | int) -> Interval:
         c, d = self._ends(other)
-        if c <= 0 <= d:
-            raise Rejected("division by an interval that contains zero")
+        need(c > 0 or d < 0, "division by an interval that contains zero")
         if d < 0:
             return -self / -other
         a, b = self.lo << self.bits, -self.hi << self.bits
         return Interval(min(a // c, a // d), -min(b // c, b // d), self.bits)
-
-    def scaled(self, c: Fraction) -> Interval:
-        """Return the set of c x for x in the interval, rounded once."""
-        n, d = c.numerator, c.denominator
-        lo, hi = (self.lo * n, self.hi * n) if n >= 0 else (self.hi * n, self.lo * n)
-        return Interval(lo, hi, self.bits) if d == 1 else Interval(lo // d, -(-hi // d), self.bits)
 
     def square(self) -> Interval:
         """Return an enclosure of x^2 for x in the interval; its lower end is not negative."""
@@ -143,7 +135,7 @@ class Interval:
         """Return whether every number in the interval is positive."""
         return self.lo > 0
 
-    def is_before(self, other: Interval) -> bool:
+    def is_before(self, other: Interval | int) -> bool:
         """Return whether x < y for every x in this interval and every y in the other one."""
         c, _ = self._ends(other)
         return self.hi < c
@@ -154,10 +146,8 @@ class Interval:
 
     def lies_in(self, lower: Fraction, upper: Fraction) -> bool:
         """Return whether the interval is a subset of [lower, upper]."""
-        below = lower.numerator << self.bits <= self.lo * lower.denominator
-        return below and self.hi * upper.denominator <= upper.numerator << self.bits
+        return lower <= self.lower and self.upper <= upper
 
     def lies_inside(self, lower: Fraction, upper: Fraction) -> bool:
         """Return whether the interval is a subset of the open interval (lower, upper)."""
-        below = lower.numerator << self.bits < self.lo * lower.denominator
-        return below and self.hi * upper.denominator < upper.numerator << self.bits
+        return lower < self.lower and self.upper < upper

@@ -136,10 +136,6 @@ class Centred:
         """The enclosure of the quantity over the box."""
         return self.box.constant
 
-    def slope(self, n: int) -> Interval:
-        """Return the enclosure over the box of the derivative in the n-th variable."""
-        return self[raised((0,) * len(self.offsets))[n]]
-
 
 def lift(formula: Callable[..., RealJet], *arguments: Centred) -> Centred:
     """Return formula(*arguments), evaluated at m and over the box and tightened."""

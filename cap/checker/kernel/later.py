@@ -1,11 +1,17 @@
-"""Shapes that only some certificates of a theorem need."""
+"""Parts of theorems that only some certificates claim: their files are loaded only then."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from importlib import import_module
 from typing import Any, NamedTuple
 
 from cap.checker.kernel.shapes import matched
+
+
+def loaded(module: str) -> Any:
+    """Return the part of a theorem that a module contains; it is loaded if it was not before."""
+    return import_module(module).PART
 
 
 class Later(NamedTuple):

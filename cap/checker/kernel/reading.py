@@ -17,7 +17,6 @@ MAX_BYTES = 1 << 24
 MAX_CHARACTERS = 4000
 MAX_SIZE = 10**30  # of parameters and their inverses, and of what becomes a double
 NUMBER = r"-?(?:0|[1-9][0-9]*)(?:\.[0-9]+|/[1-9][0-9]*)?"
-_NUMBER = re.compile(NUMBER)
 
 
 def text(value: Any, where: str) -> str:
@@ -30,10 +29,9 @@ def text(value: Any, where: str) -> str:
 def number(value: Any, where: str) -> Fraction:
     """Return an exact number: an integer, a decimal without exponent, or a fraction."""
     literal = text(value, where)
-    if len(literal) > MAX_CHARACTERS:
-        raise Rejected(f"{where} is longer than {MAX_CHARACTERS} characters")
-    if _NUMBER.fullmatch(literal) is None:
-        raise Rejected(f"{where} is not a number of the format")
+    short = len(literal) <= MAX_CHARACTERS
+    need(short, f"{where} is longer than {MAX_CHARACTERS} characters")
+    need(re.fullmatch(NUMBER, literal) is not None, f"{where} is not a number of the format")
     return Fraction(literal)
 
 

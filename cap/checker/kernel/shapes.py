@@ -20,7 +20,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from cap.checker.kernel.reading import number, text
-from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.kernel.rejection import need
 
 
 class Enclosure(NamedTuple):
@@ -63,8 +63,7 @@ def matched(value: Any, shape: Any, where: str) -> Any:
 
 def fields(value: Any, shape: dict[str, Any], where: str) -> dict[str, Any]:
     """Return an object with its values read, in the order of its shape."""
-    if not isinstance(value, dict):
-        raise Rejected(f"{where} is not an object")
+    need(isinstance(value, dict), f"{where} is not an object")
     optional = {key for key, part in shape.items() if getattr(part, "optional", False)}
     complete = shape.keys() - optional <= value.keys() <= shape.keys()
     need(complete, f"{where} has missing or unknown fields")
@@ -75,11 +74,6 @@ def fields(value: Any, shape: dict[str, Any], where: str) -> dict[str, Any]:
 def columns(table: Table) -> dict[str, Any]:
     """Return the shape of an object with the fields of a table."""
     return {field.name: field.shape for field in table}
-
-
-def tabled(value: Any, table: Table, where: str) -> dict[str, Any]:
-    """Return an object with the fields of a table."""
-    return fields(value, columns(table), where)
 
 
 def enclosure(value: Any, where: str) -> Enclosure:

@@ -18,11 +18,8 @@ class Number(Protocol):
     def __add__(self: N, other: N, /) -> N: ...
     def __sub__(self: N, other: N, /) -> N: ...
     def __neg__(self: N) -> N: ...
-    def __mul__(self: N, other: N, /) -> N: ...
+    def __mul__(self: N, other: N | Fraction, /) -> N: ...
     def __truediv__(self: N, other: N, /) -> N: ...
-    def scaled(self: N, c: Fraction, /) -> N:
-        """Return the product with a rational number."""
-
     def integer(self: N, n: int, /) -> N:
         """Return an integer."""
 
@@ -54,7 +51,7 @@ class Slope(Generic[N]):
     def __sub__(self, other: Slope[N]) -> Slope[N]:
         return self + -other
 
-    def __mul__(self, other: Slope[N] | N) -> Slope[N]:
+    def __mul__(self, other: Slope[N] | N | Fraction) -> Slope[N]:
         if not isinstance(other, Slope):
             return Slope(self.value * other, {i: x * other for i, x in self.by.items()})
         total = {i: x * other.value for i, x in self.by.items()}
@@ -67,7 +64,3 @@ class Slope(Generic[N]):
         quotient = self.value / other.value
         rest = Slope(self.value, self.by) - other * quotient
         return Slope(quotient, {i: x / other.value for i, x in rest.by.items()})
-
-    def scaled(self, c: Fraction) -> Slope[N]:
-        """Return the product with a rational number."""
-        return Slope(self.value.scaled(c), {i: x.scaled(c) for i, x in self.by.items()})

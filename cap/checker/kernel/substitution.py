@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import reduce
 from itertools import accumulate
 from operator import mul
 
@@ -15,8 +16,6 @@ def substituted(polynomial: Jet[S], arguments: Sequence[Jet[S]]) -> Jet[S]:
     known = [list(accumulate([argument] * order, mul)) for argument in arguments]  # powers
     total = Jet[S](order, {})
     for power, c in polynomial.coefficients.items():
-        first, *others = (known[n][k - 1] for n, k in enumerate(power) if k)
-        for factor in others:
-            first = first * factor
-        total = total + first * c
+        factors = (known[n][k - 1] for n, k in enumerate(power) if k)
+        total = total + reduce(mul, factors) * c
     return total

@@ -68,10 +68,6 @@ class Theorem(ABC):
         """Reject what would take too long to check; by default nothing."""
         return
 
-    def seconds(self) -> int:
-        """Return about how long a proof takes, for people who wait; 0 if nobody has measured it."""
-        return 0
-
     @abstractmethod
     def prove(self) -> None:
         """Prove the theorem, or reject."""

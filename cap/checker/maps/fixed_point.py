@@ -25,6 +25,7 @@ from collections.abc import Sequence
 from operator import sub
 from typing import Any, ClassVar
 
+from cap.checker.flow.hits import Hit
 from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap
 from cap.checker.flow.mechanics import Ends
 from cap.checker.kernel.citation import NEUMAIER, Citation, cite
@@ -32,7 +33,7 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import lift, mean_value
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Enclosure, Field, Many, Quantity, Table, enclosure, region
+from cap.checker.kernel.shapes import Field, Many, Quantity, Table, enclosure, region
 from cap.checker.kernel.theorem import BITS
 from cap.checker.system.walls import BetweenWalls
 
@@ -40,7 +41,6 @@ STATE = {"x": region, "v": region}
 WINDOWS = Many(enclosure, 1, MAX_EVENTS)
 CENTRE, INVERSE = [number] * 2, [[number] * 2] * 2
 Point = tuple[Interval, Interval]
-Matrix = list[list[Interval]]
 
 KRAWCZYK_ORDER = 4  # of the jets over the box: the higher, the larger the box may be
 
@@ -53,10 +53,10 @@ def krawczyk_theorem(smooth: str, inclusion: str, by: str = "box") -> Citation:
 
 def krawczyk(
     phi: PeriodMap, region: Sequence[Ends], hints: dict[str, Any], bits: int, order: int
-) -> Point:
-    """Return K(region) if it lies in the interior of the region, which contains the centre m.
+) -> tuple[Passage, Point]:
+    """Return the orbits from a region, which contains the centre m, and K of it.
 
-    Every orbit from the region has the itinerary of the map.
+    K lies in the interior of the region, and every orbit has the itinerary of the map.
     """
     inside = zip(region, hints["centre"], strict=True)
     need(all(z[0] <= m <= z[1] for z, m in inside), "the centre is not in the box")
@@ -70,7 +70,7 @@ def krawczyk(
         G = lift(lambda x, v, z, p=p, q=q: z - x * p - v * q, *moved, z)  # z - C (Phi - 1)
         K.append(mean_value(G.box.origin, G.box.coefficients, G.centre, G.offsets))
         need(K[-1].lies_inside(*side), "K does not lie in the interior of its box")
-    return K[0], K[1]
+    return image, (K[0], K[1])
 
 
 class FixedPoint(BetweenWalls):
@@ -100,31 +100,20 @@ class FixedPoint(BetweenWalls):
         """Prove the theorem."""
         self.existence()
         fixed_point = self.localisation()
-        orbit = self.near(fixed_point, fixed_point, self.orbit_order)
-        self.point(fixed_point, orbit)
+        orbit = self.near(fixed_point, fixed_point, 2)  # the Jacobian is in mean value form then
+        self.orbit(fixed_point, orbit)
         self.conclude(fixed_point, orbit)
 
-    def point(self, fixed_point: Point, orbit: Passage) -> None:
+    def orbit(self, fixed_point: Point, orbit: Passage) -> None:
         """Compare the claims about P* and its orbit with what is computed."""
-        jacobian = [[w[1, 0], w[0, 1]] for w in (orbit.x, orbit.v)]
-        self.confirm(x=fixed_point[0], v=fixed_point[1], jacobian=jacobian)
-        self.confirm(hit_speeds=[h.speed.value for h in orbit.hits])
-        self.confirm(trace=jacobian[0][0] + jacobian[1][1])
-        self.orbit(orbit, jacobian)
-
-    @property
-    def orbit_order(self) -> int:
-        """The order of the jets at P*: 2 gives the Jacobian in mean value form."""
-        return 2
+        self.confirm(x=fixed_point[0], v=fixed_point[1], jacobian=orbit.jacobian)
+        self.confirm(hit_speeds=[e.speed.value for e in orbit.events if isinstance(e, Hit)])
+        self.confirm(trace=orbit.x[1, 0] + orbit.v[0, 1])
 
     @property
     @abstractmethod
     def phi(self) -> PeriodMap:
         """The map, with its itinerary and time windows."""
-
-    @abstractmethod
-    def orbit(self, orbit: Passage, jacobian: Matrix) -> None:
-        """Compare what else is claimed about the orbit of P* with what is computed."""
 
     @abstractmethod
     def conclude(self, fixed_point: Point, orbit: Passage) -> None:
@@ -137,8 +126,9 @@ class FixedPoint(BetweenWalls):
 
     def existence(self) -> None:
         """Prove that Phi has exactly one fixed point in the box claimed."""
-        self.krawczyk(self.box)
-        self.step(f"all orbits from the box have the itinerary: {', '.join(self.phi.itinerary)}")
+        orbits, _ = krawczyk(self.phi, self.box, self.hints, self.hints["bits"], KRAWCZYK_ORDER)
+        words = ", ".join(event.word for event in orbits.events)
+        self.step(f"all orbits from the box have the itinerary: {words}")
         self.step("K(box) lies in the interior of the box: exactly one fixed point")
 
     def localisation(self) -> Point:
@@ -147,13 +137,9 @@ class FixedPoint(BetweenWalls):
         small = [(m - a, m + a) for m, a in zip(self.hints["centre"], sides, strict=True)]
         S = [Interval.enclosing(*side, self.hints["bits"]) for side in small]
         need(self.is_in_the_box(S), "S is not in the box")
-        result = self.krawczyk(small)
+        _, K = krawczyk(self.phi, small, self.hints, self.hints["bits"], KRAWCZYK_ORDER)
         self.step("K(S) lies in the interior of S, which lies in the box: K(S) contains P*")
-        return result
-
-    def krawczyk(self, region: Sequence[Ends]) -> Point:
-        """Return K(region) if it lies in the interior of the region."""
-        return krawczyk(self.phi, region, self.hints, self.hints["bits"], KRAWCZYK_ORDER)
+        return K
 
     def is_in_the_box(self, rectangle: Sequence[Interval]) -> bool:
         """Return whether a rectangle lies in the box claimed."""
@@ -162,13 +148,3 @@ class FixedPoint(BetweenWalls):
     def near(self, box: Sequence[Interval], point: Point, order: int) -> Passage:
         """Return the orbits of a box around an enclosure of a point."""
         return self.phi.over(box, [z.midpoint() for z in point], order)
-
-    def told(self, sentence: str, **more: object) -> str:
-        """Return a sentence with the box, and with the numbers claimed."""
-        box = " x ".join(str(self.claims["box"][z]) for z in ("x", "v"))
-        return super().told(sentence, box=box, **more)
-
-
-def ends(claim: Enclosure) -> Ends:
-    """Return the ends of an enclosure."""
-    return claim.lower, claim.upper

@@ -96,9 +96,7 @@ class Orbit:
     def _follow(self, hits: Sequence[Ends]) -> None:
         """Prove the hits of the next period, and carry the states over it."""
         now = self.places[-1]
-        first = 0 if now.box[1].is_positive() else 1
-        words = [("hit r", "hit l")[(first + n) % 2] for n in range(len(hits))]
-        orbit = PeriodMap(self.p, words, hits).over(now.box, now.point, 1)
+        orbit = PeriodMap(self.p, hits).over(now.box, now.point, 1)
         image = orbit.x.centre.constant, orbit.v.centre.constant
         moved = product(((orbit.x[1, 0], orbit.x[0, 1]), (orbit.v[1, 0], orbit.v[0, 1])), now.frame)
         frame = self._along(midpoint((moved[0][0], moved[1][0])))

@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap, limit_work, work
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Table
-from cap.checker.maps.fixed_point import WINDOWS, FixedPoint, Matrix, krawczyk_theorem
+from cap.checker.maps.fixed_point import WINDOWS, FixedPoint, Point, krawczyk_theorem
 
 KRAWCZYK = krawczyk_theorem(
     "Phi is continuously differentiable on the box: "
@@ -46,17 +46,16 @@ class NonSticking(FixedPoint):
 
     @property
     def phi(self) -> PeriodMap:
-        """The map over one period; the first wall is r if v > 0."""
-        windows, first = self.hints["hit_times"], int(self.claims["box"]["v"].lower <= 0)
-        words = [("hit r", "hit l")[(first + n) % 2] for n in range(len(windows))]
-        return PeriodMap(self.p, words, [w[:2] for w in windows])
+        """The map over one period."""
+        return PeriodMap(self.p, [window[:2] for window in self.hints["hit_times"]])
 
-    def orbit(self, orbit: Passage, jacobian: Matrix) -> None:
-        """Compare the claims about the orbit of P* with what is computed."""
-        (a, b), (c, d) = jacobian
+    def orbit(self, fixed_point: Point, orbit: Passage) -> None:
+        """Compare the claims about P* and its orbit with what is computed."""
+        super().orbit(fixed_point, orbit)
+        (a, b), (c, d) = orbit.jacobian
         self.confirm(
-            hit_times=[h.moment.t.value for h in orbit.hits],
-            hit_forcing=[h.forcing.magnitude() - self.number(self.p.f) for h in orbit.hits],
+            hit_times=[h.moment.t.value for h in orbit.events],
+            hit_forcing=[h.forcing.magnitude() - self.number(self.p.f) for h in orbit.events],
             least_speed=orbit.least_speed,
             determinant=a * d - b * c,
         )
@@ -71,6 +70,6 @@ class NonSticking(FixedPoint):
 _ORBIT = (
     "x'' = F cos(omega t) - f sgn x' with F = {F}, omega = {omega}, f = {f} and elastic walls at "
     "{l} and {r}: the time-T map Phi of (x, v), T = 2 pi/omega, has one and only one fixed point "
-    "in {box}, with x in {x}, v in {v}; its orbit hits the walls {hits} times per period, "
-    "transversely, and never turns or sticks, with a least speed in {least_speed}"
+    "in {box[x]} x {box[v]}, with x in {x}, v in {v}; its orbit hits the walls {hits} times per "
+    "period, transversely, and never turns or sticks, with a least speed in {least_speed}"
 )

@@ -114,7 +114,7 @@ def twists(f: Jet[Complex]) -> list[Interval]:
         rest = substituted(low, (f, f_conjugate)) - rotated(low, e, tau)
         E = {power: c for power, c in rest.coefficients.items() if sum(power) == d}
         if d % 2:
-            i_tau = E.pop((n + 1, n), one * 0) / e
+            i_tau = E.pop((n + 1, n), Complex(zero, zero)) / e
             need(i_tau.re.contains_zero(), "a coefficient of the normal form is not imaginary")
             tau.append(i_tau.im)
         solved = {u: c / (e - turns[u[0]] * turns[u[1]].conjugate()) for u, c in E.items()}

@@ -28,10 +28,8 @@ ROTATION: Table = (
 def rotation(frame: EllipticFrame, pi: Interval) -> dict[str, Any]:
     """Return the enclosures of what `ROTATION` claims."""
     number = frame.angle.magnitude() / (pi * 2)
-    far = {
-        name: (number - Interval.enclosing(q, q, pi.bits)).magnitude()
-        for name, q in RESONANCES.items()
-    }
+    levels = {name: Interval.enclosing(q, q, pi.bits) for name, q in RESONANCES.items()}
+    far = {name: (number - level).magnitude() for name, level in levels.items()}
     return {"rotation_angle": frame.angle, "rotation_number": number, "resonance_distances": far}
 
 

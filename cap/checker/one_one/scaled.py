@@ -10,12 +10,10 @@ from cap.checker.one_one.closed_form import Symmetric
 from cap.checker.system.walls import BetweenWalls
 
 ONE_ONE = "T-periodic, with a velocity that never vanishes and one hit of each wall per period"
-_SYSTEM = (
-    "x'' = F cos(omega t) - f sgn x' with F = {F}, omega = {omega}, FRICTION and elastic walls at "
+SYSTEM = (
+    "x'' = F cos(omega t) - f sgn x' with F = {F}, omega = {omega}, f = {f} and elastic walls at "
     "{l} and {r}, T = 2 pi/omega; a (1,1) orbit is " + ONE_ONE + ": "
 )
-SYSTEM_AT_F = _SYSTEM.replace("FRICTION", "f = {f}")
-SYSTEM_FOR_ALL_F = _SYSTEM.replace("FRICTION", "0 < f < F")
 
 # fmt: off
 STATE = (
@@ -35,6 +33,11 @@ class Scaled(BetweenWalls):
     def rho(self) -> Interval:
         """R omega^2/F."""
         return self.number(self.R * self.omega**2 / self.p.F)
+
+    @property
+    def alpha(self) -> Interval:
+        """f/F."""
+        return self.number(self.p.f / self.p.F)
 
     def state(self, orbit: Symmetric) -> dict[str, Any]:
         """Return the state of a symmetric orbit at t = 0, the times of its hits, and its speeds."""

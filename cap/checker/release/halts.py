@@ -24,9 +24,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from cap.checker.flow.hits import SIDES
 from cap.checker.flow.mechanics import Ends, Flight
-from cap.checker.flow.stops import Event, Rest, stop
+from cap.checker.flow.stops import SIDES, Event, Rest, stop
 from cap.checker.kernel.arctangent import pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, Power, raised

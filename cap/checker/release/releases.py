@@ -23,9 +23,9 @@ The entropy of G on A is that on I: an invariant measure of the whole space 1 ha
 from __future__ import annotations
 
 from cap.checker.flow.events import LossyMap
-from cap.checker.flow.hits import SIDES
 from cap.checker.flow.losses import Lossy
 from cap.checker.flow.mechanics import Flight
+from cap.checker.flow.stops import SIDES
 from cap.checker.kernel.jet import Centred, lift
 from cap.checker.kernel.rejection import Rejected, need
 

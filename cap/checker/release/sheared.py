@@ -89,7 +89,7 @@ class Sheared(NamedTuple):
         return self.places(Line(a - c, b - d)) + near.rest
 
     def _mechanics(self, places: list[Interval], passage: Passage) -> tuple[DrivenMap, Driven]:
-        phi = DrivenMap(self.p, passage.words, passage.windows, _HORIZON)
+        phi = DrivenMap(self.p, passage.windows, passage.words, _HORIZON)
         box = [*places, self.theta]
         return phi, phi.mechanics(box, [z.midpoint() for z in box], self.order)
 

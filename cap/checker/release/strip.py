@@ -11,7 +11,6 @@ from cap.checker.flow.mechanics import Ends
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
 from cap.checker.kernel.rejection import need
-from cap.checker.maps.fixed_point import ends
 from cap.checker.release.driven import phases
 from cap.checker.release.kneading import doubling, extreme, order, tent
 from cap.checker.release.sheared import Line, Near, Passage, Sheared
@@ -47,7 +46,7 @@ class Strip:
         middle = (low + high) / 2
         theta, origin = phases(p, (low, high), bits), phases(p, (middle, middle), bits)
         self.H = Sheared(p, theta, claim["shear"], origin, half_periods)
-        self.a, self.b = ends(claim["interval"])
+        self.a, self.b = claim["interval"][:2]
 
     def prove(self) -> None:
         """Prove all that is claimed of the strip."""
@@ -71,7 +70,7 @@ class Strip:
         for hint in self.hint["cells"]:
             lower, upper = here, hint["to"]
             need(lower < upper <= self.b, "the cells are not in order, or leave the interval")
-            yield self.cell(lower, upper, Passage(hint["words"], [ends(w) for w in hint["events"]]))
+            yield self.cell(lower, upper, Passage(hint["words"], [w[:2] for w in hint["events"]]))
             here = upper
         need(here == self.b, "the cells do not cover the interval")
 
@@ -110,10 +109,10 @@ class Strip:
 
     def piece(self, claim: dict[str, Any], hint: dict[str, Any]) -> None:
         """Prove what is claimed of a piece."""
-        H = self.on(ends(claim["f"]))
+        H = self.on(claim["f"][:2])
         c, value = self.critical(H, Line(hint["at"], hint["rate"]), hint["reach"])
         images = list(self.images(H, claim["kneading"], c, value))
-        self.entropy(claim["kneading"], *ends(claim["entropy"]))
+        self.entropy(claim["kneading"], *claim["entropy"][:2])
         if claim["cycle"]:
             self.cycle(H, claim["cycle"], images)
 

@@ -89,7 +89,7 @@ class Cell(NamedTuple):
     def over(self, offset: Interval) -> Box:
         """Return an enclosure of w for s - s_0 in an interval."""
         parts = zip(self.line.centre, self.line.slope, self.error, strict=True)
-        return [exact(c, b) + offset.scaled(q) + b for c, q, b in parts]
+        return [exact(c, b) + offset * q + b for c, q, b in parts]
 
     @property
     def box(self) -> Box:
@@ -115,7 +115,7 @@ class Cell(NamedTuple):
             offset = w[along] - exact(self.line.middle, w[0])
         sides = enumerate(zip(w, self.line.centre, self.line.slope, self.line.reach, strict=True))
         return inside and all(
-            (x - exact(c, x) - offset.scaled(q)).lies_inside(-r, r)
+            (x - exact(c, x) - offset * q).lies_inside(-r, r)
             for k, (x, c, q, r) in sides
             if k != along
         )
@@ -265,7 +265,7 @@ class Curve:
 
     def _along(self, row: Mapping[int, Interval], slope: Sequence[Fraction]) -> Interval:
         """Return a row of F' times the slope of a line."""
-        parts = [x.scaled(slope[k]) for k, x in row.items()]
+        parts = [x * slope[k] for k, x in row.items()]
         return sum(parts[1:], parts[0])
 
     def rate(self, steps: Sequence[Step], along: int) -> Interval:

@@ -73,8 +73,8 @@ def _inverse(W: Rows, like: Interval) -> Matrix:
     found = [[like.integer(int(i == j)) for j in range(size)] for i in range(size)]
     for i in reversed(range(size)):
         for j in range(size):
-            less = sum((found[k][j].scaled(W[i][k]) for k in range(i + 1, size)), like.integer(0))
-            found[i][j] = (found[i][j] - less).scaled(1 / W[i][i])
+            less = sum((found[k][j] * W[i][k] for k in range(i + 1, size)), like.integer(0))
+            found[i][j] = (found[i][j] - less) * (1 / W[i][i])
     return found
 
 
@@ -83,7 +83,7 @@ def _is_bounded(N: Matrix, kappa: Fraction) -> bool:
     columns = [*zip(*N, strict=True)]
     rows = [[-dot(a, b) for b in columns] for a in columns]
     for i, row in enumerate(rows):
-        row[i] = row[i] + row[i].integer(1).scaled(kappa * kappa)
+        row[i] = row[i] + row[i].integer(1) * (kappa * kappa)
     for k in range(len(rows)):
         if not rows[k][k].is_positive():
             return False

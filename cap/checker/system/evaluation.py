@@ -20,9 +20,7 @@ class Value(Protocol):
     """What may stand for a variable."""
 
     def __add__(self: V, other: V, /) -> V: ...
-    def __mul__(self: V, other: V, /) -> V: ...
-    def scaled(self: V, c: Fraction, /) -> V:
-        """Return the product with a rational number."""
+    def __mul__(self: V, other: V | Fraction, /) -> V: ...
 
 
 class Values(Generic[V]):
@@ -34,8 +32,8 @@ class Values(Generic[V]):
 
     def of(self, q: Polynomial) -> V:
         """Return a polynomial in them."""
-        terms = [self._product(m).scaled(c) for m, c in q.terms.items()]
-        return reduce(add, terms) if terms else self.known[()].scaled(Fraction(0))
+        terms = [self._product(m) * c for m, c in q.terms.items()]
+        return reduce(add, terms) if terms else self.known[()] * Fraction(0)
 
     def _product(self, monomial: Monomial) -> V:
         if monomial not in self.known:

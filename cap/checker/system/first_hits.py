@@ -66,6 +66,6 @@ def first_hits(
 
 def _after(numbers: Numbers, hit: Hit, e: Fraction, when: tuple[Fraction, Fraction]) -> Known:
     """Return the state just after a hit."""
-    known = {HEIGHT: numbers.one.integer(0), RATE: hit.rate.scaled(-e)}
+    known = {HEIGHT: numbers.one.integer(0), RATE: hit.rate * -e}
     values = numbers.values({**known, **hit.others, **numbers.clock(when)})
     return {**hit.others, **{z: values.of(q) for z, q in numbers.wall.state.items()}}

@@ -85,7 +85,7 @@ def solved(rows: list[Vector]) -> Vector | None:
 
 def _times(A: Sequence[Sequence[Fraction]], v: Vector, zero: Interval) -> Vector:
     """Return A v."""
-    return [sum((x.scaled(a) for a, x in zip(row, v, strict=True) if a), zero) for row in A]
+    return [sum((x * a for a, x in zip(row, v, strict=True) if a), zero) for row in A]
 
 
 def dot(row: Sequence[Interval], column: Sequence[Interval]) -> Interval:

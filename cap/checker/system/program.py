@@ -95,7 +95,9 @@ class Term:
     def __neg__(self) -> Term:
         return self.integer(0) - self
 
-    def __mul__(self, other: Term | int) -> Term:
+    def __mul__(self, other: Term | Fraction | int) -> Term:
+        if isinstance(other, Fraction):
+            return self._scaled(other)
         b = self._lifted(other)
         for x, y in ((self, b), (b, self)):
             if x.is_integer(0) or y.is_integer(1):
@@ -110,10 +112,9 @@ class Term:
             return self
         return self.tape.write((DIV, self.place, b.place))
 
-    def scaled(self, c: Fraction) -> Term:
-        """Return the product with a rational number."""
+    def _scaled(self, c: Fraction) -> Term:
         if self.constant:
-            return self.tape.constant(self.constant.scaled(c))
+            return self.tape.constant(self.constant * c)
         if c in (0, 1):
             return self if c else self.integer(0)
         if c not in self.tape.scales:

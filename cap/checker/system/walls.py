@@ -28,9 +28,7 @@ class Parameters(NamedTuple):
     mu: Fraction = Fraction(0)
 
 
-Shapes = dict[str, Any]
-WITHOUT_LOSSES: Shapes = dict.fromkeys(Parameters._fields[:5], number)  # then e = 1, mu = 0
-FOR_ALL_F: Shapes = dict.fromkeys(("F", "omega", "l", "r"), number)
+WITHOUT_LOSSES: dict[str, Any] = dict.fromkeys(Parameters._fields[:5], number)
 
 
 class BetweenWalls(Theorem):
@@ -46,11 +44,9 @@ class BetweenWalls(Theorem):
 
     @classmethod
     def parameters(cls, given: dict[str, Any]) -> Any:
-        """Return the parameters; where a theorem is about all f, f is set to 0, and is not used."""
-        p = Parameters(**{"f": Fraction(0)} | given)
+        """Return the parameters; e = 1 and mu = 0, unless they are given."""
+        p = Parameters(**given)
         confirm_walls(p)
-        need(0 < p.e <= 1, "0 < e <= 1 does not hold")
-        need(p.mu >= 0, "mu >= 0 does not hold")
         confirm_sizes((p.F, p.omega, abs(p.l), abs(p.r), p.mu), (p.F, p.omega, p.r - p.l))
         return p
 

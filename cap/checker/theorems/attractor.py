@@ -64,12 +64,11 @@ from cap.checker.kernel.shapes import (
     region,
 )
 from cap.checker.kernel.theorem import BITS, MAX_BITS
-from cap.checker.maps.fixed_point import STATE, ends
+from cap.checker.maps.fixed_point import STATE
 from cap.checker.release.cited import ENTROPY
 from cap.checker.release.kneading import doubling, order, tent
 from cap.checker.release.releases import next_release
-from cap.checker.system.lossy import SYSTEM, WITH_LOSSES
-from cap.checker.system.walls import BetweenWalls
+from cap.checker.system.lossy import SYSTEM, WithLosses
 
 _ORDER = 4  # of the jets over cells and over the box
 _HORIZON = 17  # periods
@@ -93,10 +92,9 @@ class Cell(NamedTuple):
     curve: int
 
 
-class Attractor(BetweenWalls):
+class Attractor(WithLosses):
     """The interval, its unimodal map, and its entropy."""
 
-    PARAMETERS = WITH_LOSSES
     # fmt: off
     HINTS: ClassVar[Table] = (
         BITS,
@@ -158,7 +156,7 @@ class Attractor(BetweenWalls):
 
     def phi(self, windows: Sequence[Ends]) -> LossyMap:
         """Return the flow along the itinerary, with a window for each event."""
-        return LossyMap(self.p, self.claims["itinerary"], windows, _HORIZON)
+        return LossyMap(self.p, windows, self.claims["itinerary"], _HORIZON)
 
     def image(self, x: Interval, windows: Sequence[Ends], order: int) -> Centred:
         """Return G over a set of places, as a jet in x."""
@@ -186,10 +184,10 @@ class Attractor(BetweenWalls):
 
     def covered(self) -> Iterator[Cell]:
         """Yield the cells, which follow each other from one end of I to the other."""
-        a, b = ends(self.claims["interval"])
+        a, b = self.claims["interval"][:2]
         need(self.p.l < a < b < self.p.r, "the interval is not between the walls")
         for hint in self.hints["cells"]:
-            lower, upper, windows = a, hint["to"], [ends(w) for w in hint["events"]]
+            lower, upper, windows = a, hint["to"], [w[:2] for w in hint["events"]]
             need(lower < upper <= b, "the cells are not in order, or leave the interval")
             yield self.cell(lower, upper, windows)
             a = upper
@@ -218,8 +216,8 @@ class Attractor(BetweenWalls):
 
     def critical_point(self) -> Interval:
         """Return an enclosure of the critical point."""
-        low, high = ends(self.hints["critical"])
-        a, b = ends(self.claims["interval"])
+        low, high = self.hints["critical"][:2]
+        a, b = self.claims["interval"][:2]
         need(a < low < high < b, "the critical point is not in I")
         for end, side in ((low, -1), (high, 1)):
             x = self.number(end)
@@ -231,7 +229,7 @@ class Attractor(BetweenWalls):
 
     def into_itself(self, c: Interval) -> Interval:
         """Prove that G takes I into its interior; return an enclosure of G(c)."""
-        a, b = ends(self.claims["interval"])
+        a, b = self.claims["interval"][:2]
         value = self.image(c, self.windows(c), 1).value
         edges = [self.coarse(end, end) for end in (a, b)]
         for y in (value, *(self.image(x, self.windows(x), 1).value for x in edges)):
@@ -286,21 +284,21 @@ class Attractor(BetweenWalls):
 
     def basin(self) -> None:
         """Prove that all orbits from the box claimed come to be released in I."""
-        box = [ends(self.claims["basin"][z]) for z in ("x", "v")]
+        box = [self.claims["basin"][z][:2] for z in ("x", "v")]
         need(all(low < high for low, high in box), "the box has no interior")
-        self.box(box, [ends(w) for w in self.hints["basin_events"]])
+        self.box(box, [w[:2] for w in self.hints["basin_events"]])
 
     def box(self, box: Sequence[Ends], windows: Sequence[Ends]) -> None:
         """Prove that all orbits from a box come to be released in I."""
         area = [self.coarse(*z) for z in box]
         M = self.phi(windows).mechanics(area, [z.midpoint() for z in area], _ORDER)
         place = next_release(M, self.phi(windows), M.launch())[0].value
-        inside = place.lies_in(*ends(self.claims["interval"]))
+        inside = place.lies_in(*self.claims["interval"][:2])
         need(inside, "the releases of orbits from the box may not lie in I")
 
     def words(self) -> str:
         """Return the theorem in one line."""
-        lower, upper = ends(self.claims["entropy"])
+        lower, upper = self.claims["entropy"][:2]
         x, v = self.claims["basin"]["x"], self.claims["basin"]["v"]
         area = decimal((x.upper - x.lower) * (v.upper - v.lower))
         chaos = _CHAOS if lower > 0 else _NO_CHAOS if upper == 0 else ""

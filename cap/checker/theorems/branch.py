@@ -34,9 +34,9 @@ from cap.checker.kernel.theorem import BITS
 from cap.checker.kernel.twist_theorem import MOSER
 from cap.checker.one_one import pairs
 from cap.checker.one_one.falling import CELL_DIGITS, Ends, Falling
-from cap.checker.one_one.scaled import SYSTEM_FOR_ALL_F
+from cap.checker.one_one.scaled import SYSTEM
 from cap.checker.one_one.twist import regularised_twist
-from cap.checker.system.walls import FOR_ALL_F
+from cap.checker.system import all_f
 
 MAX_CELLS = 512
 MAX_WORK = 1 << 27  # bits^2 times cells and zeros of the twist
@@ -77,10 +77,9 @@ MOSER_ON_A_BRANCH = cite(
 # fmt: on
 
 
-class Branch(Falling):
+class Branch(all_f.ForAllF, Falling):
     """The pairs of (1,1) orbits, from their birth on."""
 
-    PARAMETERS = FOR_ALL_F
     # fmt: off
     HINTS = (
         BITS,
@@ -246,7 +245,7 @@ class Branch(Falling):
     def sentences(self) -> Iterable[str]:
         """Yield the sentences."""
         claims = self.claims
-        yield SYSTEM_FOR_ALL_F
+        yield all_f.told(SYSTEM)
         yield _BRANCH
         if claims["f_end"] is not None:
             yield _END

@@ -11,24 +11,23 @@ from typing import Any
 
 from cap.checker.flow.capture import bounces, captures
 from cap.checker.flow.events import WORDS, LossyMap, in_order, limit_events
-from cap.checker.flow.hits import SIDES
 from cap.checker.flow.itinerary import MAX_EVENTS
+from cap.checker.flow.mechanics import Ends
+from cap.checker.flow.stops import SIDES
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Word, bound, enclosure
 from cap.checker.kernel.theorem import BITS
-from cap.checker.maps.fixed_point import STATE, WINDOWS, ends
-from cap.checker.system.lossy import SYSTEM, WITH_LOSSES
-from cap.checker.system.walls import BetweenWalls
+from cap.checker.maps.fixed_point import STATE, WINDOWS
+from cap.checker.system.lossy import SYSTEM, WithLosses
 
 _ORDER = 3  # of the jets over the box
 _HORIZON = 16  # periods
 
 
-class Capture(BetweenWalls):
+class Capture(WithLosses):
     """All orbits from the interior of a box are captured."""
 
-    PARAMETERS = WITH_LOSSES
     # fmt: off
     HINTS = (
         BITS,
@@ -60,15 +59,15 @@ class Capture(BetweenWalls):
     def prove(self) -> None:
         """Prove the theorem."""
         claims, p = self.claims, self.p
-        box = [ends(claims["box"][z]) for z in ("x", "v")]
+        box: list[Ends] = [claims["box"][z][:2] for z in ("x", "v")]
         need(all(low < high for low, high in box), "the box has no interior")
         need(p.l <= box[0][0] and box[0][1] <= p.r, "the box is not between the walls")
         words, side = claims["itinerary"], SIDES[claims["wall"]]
         last = [f"capture {claims['wall']}", f"release {'left' if side > 0 else 'right'}"]
         need(words[-2:] == last, "the itinerary does not end with the capture and the release")
         region = [Interval.enclosing(*z, self.hints["bits"]) for z in box]
-        windows = [ends(w) for w in self.hints["events"]]
-        phi = LossyMap(p, words, windows, _HORIZON)
+        windows = [w[:2] for w in self.hints["events"]]
+        phi = LossyMap(p, windows, words, _HORIZON)
         M = phi.mechanics(region, [z.midpoint() for z in region], _ORDER)
         start = M.launch() if len(words) > 2 else None
         events, _ = phi.follow(M, start)

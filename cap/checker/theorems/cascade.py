@@ -40,10 +40,9 @@ from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Table, Whole, Word, enclosure
 from cap.checker.kernel.theorem import BITS
-from cap.checker.maps.fixed_point import ends
 from cap.checker.release.sheared import Passage, Sheared
-from cap.checker.system.lossy import WITH_LOSSES
-from cap.checker.system.walls import BetweenWalls
+from cap.checker.system.all_f import ForAllF, without_f
+from cap.checker.system.lossy import WITH_LOSSES, WithLosses
 
 _MAX_EVENTS, _MAX_DOUBLINGS, _MAX_PERIOD, _MAX_POINTS = 16, 8, 12, 512
 _MAX_BITS, _MAX_WORK = 1024, 3 << 20
@@ -84,10 +83,10 @@ class Doubling(NamedTuple):
     derivatives: Derivatives
 
 
-class Cascade(BetweenWalls):
+class Cascade(ForAllF, WithLosses):
     """The values of f where cycles double their period, and the ratios of their differences."""
 
-    PARAMETERS = {name: shape for name, shape in WITH_LOSSES.items() if name != "f"}  # noqa: RUF012
+    PARAMETERS = without_f(WITH_LOSSES)
     # fmt: off
     HINTS: ClassVar[Table] = (
         BITS._replace(shape=Whole(64, _MAX_BITS)),
@@ -163,7 +162,7 @@ class Cascade(BetweenWalls):
         m = [self.number(q) for q in hint["centre"]]
         reach = [Interval.enclosing(-q, q, self.hints["bits"]) for q in hint["reach"]]
         need(all(q > 0 for q in hint["reach"]), "Z has no interior")
-        windows = [[ends(w) for w in each] for each in hint["events"]]
+        windows = [[w[:2] for w in each] for each in hint["events"]]
         centres, slope = self.centre(m, windows)
         images, D = self.over(m, reach, centres, windows)
         first = images[0]

@@ -209,7 +209,7 @@ class Contacts(OwnSystem):
         radius, given = self.claims.get("radius", Fraction(1)), "unstable" in self.claims
         need(given or "radius" not in self.claims, "claims.radius is one of nothing")
         need(1 <= radius <= 2, "claims.radius is not between 1 and 2")
-        scaled = [x.scaled(1 / radius ** (k + 1)) for k, x in enumerate(multipliers)]
+        scaled = [x * (1 / radius ** (k + 1)) for k, x in enumerate(multipliers)]
         certain = not given or outside(scaled) == self.claims["unstable"]
         need(certain, "claims.unstable is not certain to be the number of these multipliers")
 

@@ -30,11 +30,15 @@ from cap.checker.maps.resonances import ROTATION, confirm_rotation, confirm_twis
 ORDERS = ("3", "5", "7", "9")
 
 
-def coefficients(order: int, velocity: int = 0) -> dict[str, Any]:
-    """Return the shape of the Taylor coefficients of a component of Phi: x, or v = omega x."""
-    powers = [(i, n - i) for n in range(2, order + 1) for i in range(n + 1)]
-    units = {(i, j): f"R^{1 - i - j} omega^{velocity - j}" for i, j in powers}
-    return {f"{i},{j}": Maybe(Quantity(unit)) for (i, j), unit in units.items()}
+def powers(order: int) -> list[tuple[int, int]]:
+    """Return the powers i, j of the monomials dx^i dv^j of degree at least 2."""
+    return [(i, n - i) for n in range(2, order + 1) for i in range(n + 1)]
+
+
+def coefficients(k: int) -> dict[str, Any]:
+    """Return the shape of the Taylor coefficients of a component of Phi in units R omega^k."""
+    units = {f"{i},{j}": f"R^{1 - i - j} omega^{k - j}" for i, j in powers(9)}
+    return {name: Maybe(Quantity(unit)) for name, unit in units.items()}
 
 
 class Elliptic(NonSticking):
@@ -48,7 +52,7 @@ class Elliptic(NonSticking):
     CLAIMS = (
         *NonSticking.CLAIMS,
         *ROTATION,
-        Field("taylor", {"x": coefficients(9), "v": coefficients(9, 1)}, "", "",
+        Field("taylor", {"x": coefficients(0), "v": coefficients(1)}, "", "",
               "of dx^i dv^j in that component of Phi(P* + (dx, dv)), 2 <= i + j <= order"),
         Field("twist", Quantity("R^-2 omega^-1"), "tau_1 per |z|^2", r"\tau_1",
               "with its sign relative to the signed Theta; not 0"),
@@ -78,17 +82,14 @@ class Elliptic(NonSticking):
     )
     # fmt: on
 
-    @property
-    def orbit_order(self) -> int:
-        """The degree of the Taylor polynomial."""
-        return int(self.hints["order"])
-
-    def conclude(self, fixed_point: Point, orbit: Passage) -> None:
+    def conclude(self, fixed_point: Point, orbit: Passage) -> None:  # noqa: ARG002
         """Prove ellipticity, the absence of low resonances, the twist, and the remainder."""
-        x, v = orbit.x.box, orbit.v.box
-        frame = normal_form.elliptic_frame([[w[1, 0], w[0, 1]] for w in (orbit.x, orbit.v)])
+        N = int(self.hints["order"])
+        image = self.near(fixed_point, fixed_point, N)
+        x, v = image.x.box, image.v.box
+        frame = normal_form.elliptic_frame(image.jacobian)
         self.confirm(**rotation(frame, self.pi()))
-        self.confirm(taylor={"x": self.taylor(orbit.x), "v": self.taylor(orbit.v)})
+        self.confirm(taylor={z: taylor(w, N) for z, w in (("x", image.x), ("v", image.v))})
         self.step("the Taylor coefficients of Phi at P* contain what is computed")
         tau, *higher = normal_form.twists(normal_form.in_complex_coordinate(x, v, frame))
         self.confirm(twist=tau, twist_action=tau * 2, higher_twists=higher)
@@ -99,16 +100,11 @@ class Elliptic(NonSticking):
         self.step("P* is elliptic, without resonance of order at most four")
         confirm_twist(self.claims)
         self.step("the first twist is not zero")
-        self.remainder(fixed_point)
+        self.remainder(fixed_point, N)
 
-    def taylor(self, component: Centred) -> dict[str, Interval]:
-        """Return the Taylor coefficients of a component of Phi at P*."""
-        powers = [(i, n - i) for n in range(2, self.orbit_order + 1) for i in range(n + 1)]
-        return {f"{i},{j}": component[i, j] for i, j in powers}
-
-    def remainder(self, fixed_point: Point) -> None:
-        """Prove the bound of what the Taylor polynomial leaves on the disk."""
-        claim, n = self.claims["remainder"], self.orbit_order + 1
+    def remainder(self, fixed_point: Point, N: int) -> None:
+        """Prove the bound of what the Taylor polynomial of degree N leaves on the disk."""
+        claim, n = self.claims["remainder"], N + 1
         need(claim["degree"] == self.hints["order"], "the degree of the remainder is not the order")
         rho = claim["radius"]
         need(rho > 0, "the radius of the remainder is not positive")
@@ -118,9 +114,7 @@ class Elliptic(NonSticking):
         for name, component in (("x", image.x), ("v", image.v)):
             most = self.lagrange(component, n).upper * rho**n
             need(most <= claim[name], f"the remainder of {name} may be larger than claimed")
-        self.step(
-            f"on the disk, Phi is as close to its Taylor polynomial of degree {n - 1} as claimed"
-        )
+        self.step(f"on the disk, Phi is as close to its Taylor polynomial of degree {N} as claimed")
 
     def lagrange(self, component: Centred, n: int) -> Interval:
         """Return the sum of max |c_ij| sqrt(i^i j^j / n^n) over i + j = n."""
@@ -140,6 +134,11 @@ class Elliptic(NonSticking):
             "point is stable, and every neighbourhood of it contains invariant closed curves "
             "around it"
         )
+
+
+def taylor(component: Centred, order: int) -> dict[str, Interval]:
+    """Return the Taylor coefficients of a component of Phi at P*."""
+    return {f"{i},{j}": component[i, j] for i, j in powers(order)}
 
 
 THEOREM = Elliptic

@@ -54,11 +54,10 @@ from cap.checker.kernel.shapes import (
     region,
 )
 from cap.checker.kernel.theorem import BITS, MAX_BITS
-from cap.checker.maps.fixed_point import ends
 from cap.checker.release.halts import HALTS
 from cap.checker.release.strip import Strip, pieces_ends
-from cap.checker.system.lossy import WITH_LOSSES
-from cap.checker.system.walls import BetweenWalls
+from cap.checker.system.all_f import ForAllF, without_f
+from cap.checker.system.lossy import WITH_LOSSES, WithLosses
 
 _MAX_STRIPS, _MAX_PIECES, _MAX_CELLS, _MAX_SYMBOLS, _MAX_EVENTS = 256, 64, 256, 64, 32
 _MAX_PERIOD = 16
@@ -84,10 +83,10 @@ CELL = {
 }
 
 
-class Entropies(BetweenWalls):
+class Entropies(ForAllF, WithLosses):
     """The strips, their pieces, and the share of the range with positive entropy."""
 
-    PARAMETERS = {name: shape for name, shape in WITH_LOSSES.items() if name != "f"}  # noqa: RUF012
+    PARAMETERS = without_f(WITH_LOSSES)
     # fmt: off
     HINTS: ClassVar[Table] = (
         BITS._replace(shape=Whole(64, MAX_BITS // 4)),
@@ -156,14 +155,14 @@ class Entropies(BetweenWalls):
 
     def in_order(self) -> None:
         """Check that the strips lie in the range, one after the other, as their pieces do."""
-        low, high = ends(self.claims["range"])
+        low, high = self.claims["range"][:2]
         need(0 < low < high < self.p.F, "the range is not in (0, F)")
         here = low
         for strip in self.claims["strips"]:
             first, _ = pieces_ends(strip)
             need(here <= first, "the strips are not in order")
             for piece in strip["pieces"]:
-                a, b = ends(piece["f"])
+                a, b = piece["f"][:2]
                 need(a == first and a < b, "the pieces of a strip do not follow each other")
                 first = b
             here = first
@@ -181,10 +180,11 @@ class Entropies(BetweenWalls):
 
     def shares(self) -> None:
         """Compare the shares of the range."""
-        low, high = ends(self.claims["range"])
+        low, high = self.claims["range"][:2]
+        width: Fraction = high - low
 
         def share(pieces: list[dict[str, Any]]) -> Fraction:
-            return sum((q["f"].upper - q["f"].lower for q in pieces), Fraction(0)) / (high - low)
+            return sum((q["f"].upper - q["f"].lower for q in pieces), Fraction(0)) / width
 
         found = list(self.pieces())
         positive = share([q for q in found if q["entropy"].lower > 0])

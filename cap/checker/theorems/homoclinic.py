@@ -15,7 +15,7 @@ from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Whole, enclosure
 from cap.checker.maps.cones import Cones
-from cap.checker.maps.fixed_point import WINDOWS, Point, ends
+from cap.checker.maps.fixed_point import WINDOWS, Point
 from cap.checker.maps.homoclinic import Orbit
 from cap.checker.theorems.saddle import Saddle
 
@@ -101,12 +101,12 @@ class Homoclinic(Saddle):
 
     def followed(self, cones: Cones, hint: dict[str, Any]) -> Orbit:
         """Return an orbit, with its hits proved."""
-        windows = [[ends(window) for window in period] for period in hint["hit_times"]]
-        return Orbit(cones, self.p, ends(hint["start"]), windows)
+        windows = [[window[:2] for window in period] for period in hint["hit_times"]]
+        return Orbit(cones, self.p, hint["start"][:2], windows)
 
     def apart(self, fixed_point: Point) -> None:
         """Check that the points are not P*, and that no two are the same."""
-        boxes = [[ends(point[z]) for z in ("x", "v")] for point in self.claims["points"]]
+        boxes = [[point[z][:2] for z in ("x", "v")] for point in self.claims["points"]]
         saddle = [(z.lower, z.upper) for z in fixed_point]
         for one, other in combinations([saddle, *boxes], 2):
             apart = any(a[1] < b[0] or b[1] < a[0] for a, b in zip(one, other, strict=True))

@@ -36,14 +36,12 @@ from cap.checker.kernel.arctangent import arccos
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity
 from cap.checker.kernel.theorem import BITS
-from cap.checker.system.lossy import SYSTEM, WITH_LOSSES
-from cap.checker.system.walls import BetweenWalls
+from cap.checker.system.lossy import SYSTEM, WithLosses
 
 
-class Impulse(BetweenWalls):
+class Impulse(WithLosses):
     """Every motion comes to rest."""
 
-    PARAMETERS = WITH_LOSSES
     HINTS = (BITS,)
     # fmt: off
     CLAIMS = (

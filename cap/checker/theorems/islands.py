@@ -15,7 +15,7 @@ from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Word, columns
 from cap.checker.kernel.theorem import Certificate
-from cap.checker.system.walls import FOR_ALL_F, BetweenWalls
+from cap.checker.system.all_f import ForAllF
 from cap.checker.theorems.island import MAX_WORK, Island
 from cap.checker.tori import told
 
@@ -24,10 +24,9 @@ MAX_ALL = MAX_WORK * 3 // 2  # degrees times places
 REASONS = ("no elliptic orbit", "resonance of order 3", "resonance of order 4", "no curve")
 
 
-class Islands(BetweenWalls):
+class Islands(ForAllF):
     """Invariant curves around elliptic points, at several values of f."""
 
-    PARAMETERS = FOR_ALL_F
     # fmt: off
     HINTS = (
         Field("islands", Many(columns(Island.HINTS), 1, MOST), "", "", "those of `island`, for "
@@ -62,7 +61,7 @@ class Islands(BetweenWalls):
 
     def each(self) -> Iterator[Island]:
         """Give the theorem at each f."""
-        given = {name: getattr(self.p, name) for name in FOR_ALL_F}
+        given = {name: getattr(self.p, name) for name in self.PARAMETERS}
         for claims, hints in zip(self.claims["islands"], self.hints["islands"], strict=True):
             p = Island.parameters(given | {"f": claims["f"]})
             at_f = Certificate("island", p, self.certificate.digits, claims, hints)

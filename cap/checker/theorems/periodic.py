@@ -45,7 +45,7 @@ from cap.checker.flow.events import (
 from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap
 from cap.checker.kernel.alternatives import OneOrOther
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.jet import Centred, Jet, RealJet, lift
+from cap.checker.kernel.jet import Centred, Jet, RealJet, lift, raised
 from cap.checker.kernel.optional import Maybe
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import Rejected, need
@@ -54,22 +54,20 @@ from cap.checker.maps.fixed_point import (
     KRAWCZYK_ORDER,
     WINDOWS,
     FixedPoint,
-    Matrix,
     Point,
-    ends,
     krawczyk_theorem,
 )
-from cap.checker.system.lossy import SYSTEM, WITH_LOSSES
+from cap.checker.system.lossy import SYSTEM, WithLosses
 
 MAX_PERIODS = 16
+Matrix = list[list[Interval]]
 SINKS = ("superstable", "sink focus", "sink node")
 TYPES = (*SINKS, "elliptic", "saddle", "flip saddle")
 
 
-class Periodic(FixedPoint):
+class Periodic(WithLosses, FixedPoint):
     """An orbit of the period nT has the itinerary, the type and the basin claimed."""
 
-    PARAMETERS = WITH_LOSSES
     # fmt: off
     HINTS: ClassVar[Table] = (
         *FixedPoint.HINTS,
@@ -109,11 +107,12 @@ class Periodic(FixedPoint):
     @property
     def phi(self) -> PeriodMap:
         """The map over n periods."""
-        windows = [ends(w) for w in self.hints["events"]]
-        return LossyMap(self.p, self.claims["itinerary"], windows, self.claims["period"])
+        windows = [w[:2] for w in self.hints["events"]]
+        return LossyMap(self.p, windows, self.claims["itinerary"], self.claims["period"])
 
-    def orbit(self, orbit: Passage, jacobian: Matrix) -> None:
-        """Compare the claims about the events, and the spectrum."""
+    def orbit(self, fixed_point: Point, orbit: Passage) -> None:
+        """Compare the claims about P*, about the events, and the spectrum."""
+        super().orbit(fixed_point, orbit)
         words = self.claims["itinerary"]
         times = zip(words, self.claims["event_times"], strict=True)
         claimed = [t._replace(unit=None) if w.startswith("capture") else t for w, t in times]
@@ -122,11 +121,11 @@ class Periodic(FixedPoint):
         turns = [e for e in orbit.events if e.word.startswith("turn")]
         self.confirm(turning_factors=[turning_factor(orbit.mechanics, e) for e in turns])
         self.step("the claims about the orbit of P* contain what is computed")
-        self.spectrum(orbit, jacobian)
+        self.spectrum(orbit)
 
-    def spectrum(self, orbit: Passage, jacobian: Matrix) -> None:
+    def spectrum(self, orbit: Passage) -> None:
         """Compare trace, determinant and multipliers."""
-        (a, b), (c, d) = jacobian
+        (a, b), (c, d) = orbit.jacobian
         trace, det, claim = a + d, determinant(orbit), self.claims["determinant"]
         exact = self.exact_determinant()
         if exact is not None:
@@ -233,9 +232,9 @@ def slope_along(jet: RealJet, p: Interval, q: Interval) -> RealJet:
 def mean(u: Centred, start: Point) -> Interval:
     """Return an enclosure of the means of a quantity on the segments from a point to the box."""
     total = u.centre.coefficients.get((0, 0), start[0].integer(0))
-    for n, (offset, z) in enumerate(zip(u.offsets, start, strict=True)):
+    for power, offset, z in zip(raised((0, 0)), u.offsets, start, strict=True):
         here = z - z.midpoint()
-        total = total + u.slope(n) * here + u.slope(n) * ((offset - here) / 2)
+        total = total + u[power] * here + u[power] * ((offset - here) / 2)
     return total
 
 
@@ -266,10 +265,10 @@ def _multiplier(claim: Any) -> str:
 
 _PERIODIC = (
     "with Phi the time-T map of (x, v) from t = 0, T = 2 pi/omega, and n = {period}, Phi^n has one "
-    "and only one fixed point P* in {box}, with x in {x}, v in {v}; all orbits from this box have "
-    "in (0, nT) exactly these events, in this order: {itinerary}{captures}; the Jacobian of Phi^n "
-    "at P* has its trace in {trace}, the determinant {determinant} and the multipliers "
-    "{multipliers}: {type}"
+    "and only one fixed point P* in {box[x]} x {box[v]}, with x in {x}, v in {v}; all orbits from "
+    "this box have in (0, nT) exactly these events, in this order: {itinerary}{captures}; the "
+    "Jacobian of Phi^n at P* has its trace in {trace}, the determinant {determinant} and the "
+    "multipliers {multipliers}: {type}"
 )
 _BASIN = (
     "; the ellipse |W (z - P*)| <= 1 with the matrix W = {W} lies in the box, and |W "

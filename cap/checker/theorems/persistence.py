@@ -40,7 +40,6 @@ from cap.checker.maps.fixed_point import (
     STATE,
     WINDOWS,
     Point,
-    ends,
     krawczyk,
     krawczyk_theorem,
 )
@@ -105,7 +104,7 @@ class Persistence(Periodic):
         sides = [self.intervals(name) for name in ("epsilon", "mu")]
         need(sides[0][-1][1] < 1, "epsilon is not below 1")
         rectangles = list(product(sides[0], sides[1]))
-        boxes = [[ends(box[z]) for z in ("x", "v")] for box in self.claims["range"]["boxes"]]
+        boxes = [[box[z][:2] for z in ("x", "v")] for box in self.claims["range"]["boxes"]]
         images = [self.rectangle(n, q, boxes[n]) for n, q in enumerate(rectangles)]
         self.step(f"{len(images)} rectangles: in each one fixed point, |trace| < 1 + determinant")
         width = len(sides[1])
@@ -136,11 +135,11 @@ class Persistence(Periodic):
         """Return an enclosure of the fixed points for one rectangle of losses; they attract."""
         cell, (epsilon, mu) = self.hints["cells"][n], losses
         e = 1 - epsilon[1], 1 - epsilon[0]
-        windows = [ends(w) for w in cell["events"]]
-        phi = LossyMap(self.p, self.claims["itinerary"], windows, 1, {"e": e, "mu": mu})
-        K = krawczyk(phi, box, cell, _BITS, _ORDER)
+        windows = [w[:2] for w in cell["events"]]
+        phi = LossyMap(self.p, windows, self.claims["itinerary"], 1, {"e": e, "mu": mu})
+        _, K = krawczyk(phi, box, cell, _BITS, _ORDER)
         orbit = phi.over(K, [z.midpoint() for z in K], _ORDER)
-        trace = (orbit.x.slope(0) + orbit.v.slope(1)).magnitude()
+        trace = (orbit.x[1, 0, 0, 0] + orbit.v[0, 1, 0, 0]).magnitude()
         attracts = trace.is_before(determinant(orbit) + 1)
         need(attracts, "|trace| < 1 + determinant may fail in a rectangle")
         return K

@@ -33,14 +33,13 @@ from cap.checker.kernel.shapes import Field, Quantity
 from cap.checker.kernel.theorem import BITS
 from cap.checker.one_one.closed_form import Symmetric, birth, friction
 from cap.checker.one_one.pairs import over_intervals
-from cap.checker.one_one.scaled import STATE, SYSTEM_FOR_ALL_F, Scaled
-from cap.checker.system.walls import FOR_ALL_F
+from cap.checker.one_one.scaled import STATE, SYSTEM, Scaled
+from cap.checker.system import all_f
 
 
-class Pitchfork(Scaled):
+class Pitchfork(all_f.ForAllF, Scaled):
     """The birth of the pair."""
 
-    PARAMETERS = FOR_ALL_F
     HINTS = (BITS,)
     # fmt: off
     CLAIMS = (
@@ -91,7 +90,7 @@ class Pitchfork(Scaled):
         """Return the theorem in one line."""
         kind = "elliptic" if self.claims["trace_curvature"].upper < 0 else "saddles"
         side = "f < f_0" if self.claims["curvature"].upper < 0 else "f > f_0"
-        return self.told(SYSTEM_FOR_ALL_F + _PITCHFORK, kind=kind, side=side)
+        return self.told(all_f.told(SYSTEM) + _PITCHFORK, kind=kind, side=side)
 
 
 _PITCHFORK = (

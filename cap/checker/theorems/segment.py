@@ -25,13 +25,12 @@ from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity
 from cap.checker.kernel.theorem import BITS
-from cap.checker.system.lossy import SYSTEM, WITH_LOSSES
+from cap.checker.system.lossy import SYSTEM, WithLosses
 
 
-class Segment(Free):
+class Segment(WithLosses, Free):
     """The segment of orbits that touch no wall."""
 
-    PARAMETERS = WITH_LOSSES
     HINTS = (BITS,)
     # fmt: off
     CLAIMS = (

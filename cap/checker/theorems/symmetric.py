@@ -3,38 +3,25 @@
 A symmetric orbit has sin phi = -c with c > 0 ("plus") or c < 0 ("minus"), W > 0, and a least speed
 > 0: then it is genuine.  If f > 2F/pi there is none; f = 2F/pi is impossible as pi is irrational.
 
-*The paper's equation* is about orbits that turn once between hits.  In the units of ``closed_form``
-
-    Psi(theta) = pi sin theta - 2 - rho + alpha (pi^2/2 - theta (pi - theta)) = 0.
-
-Psi is symmetric about pi/2, and for theta < pi/2, as cos theta >= 1 - 2 theta/pi and alpha < 1,
-
-    Psi' = pi cos theta - alpha (pi - 2 theta) >= (1 - alpha)(pi - 2 theta) > 0.
-
-So in (0, pi) there are two roots, theta and pi - theta, if Psi(0) < 0 < Psi(pi/2), and none if
-Psi(0) >= 0 or Psi(pi/2) < 0.  An interval X in (0, pi/2) contains the first one if Psi < 0 at its
-lower and Psi > 0 at its upper end; then it lies in m - Psi(m)/Psi'(X) for m in X, by the mean value
-theorem.  At a root the paper's formula gives
-
-    v(T/2-) = -(F/omega) sin theta - (f/omega)(pi - theta) < 0    for every theta in (0, pi),
-
-while its ansatz needs v > 0 on (tau, T/2): no root in (0, pi) belongs to a solution.
+*Besides*: the roots of the paper's equation for other orbits (``paper_equation``).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, ClassVar
 
 from cap.checker.kernel.choices import Cases, OrNone
-from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.later import Later, loaded
+from cap.checker.kernel.optional import Maybe
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Enclosure, Field, Many, Quantity, Word
+from cap.checker.kernel.shapes import Field, Quantity, Word
 from cap.checker.kernel.theorem import BITS
 from cap.checker.one_one.closed_form import Symmetric, birth, friction, half_turn
-from cap.checker.one_one.scaled import STATE, SYSTEM_AT_F, Scaled
+from cap.checker.one_one.scaled import STATE, SYSTEM, Scaled
 
+PAPER_EQUATION = "cap.checker.one_one.paper_equation"
 # fmt: off
 ORBIT = (
     *STATE,
@@ -52,6 +39,7 @@ BRANCH = OrNone(Cases("genuine", {"yes": GENUINE, "no": NOT_GENUINE}))
 class SymmetricOrbits(Scaled):
     """All symmetric (1,1) orbits at given parameters."""
 
+    PARTS: ClassVar[dict[str, str]] = {"paper_roots": PAPER_EQUATION}
     HINTS = (BITS,)
     # fmt: off
     CLAIMS = (
@@ -62,7 +50,7 @@ class SymmetricOrbits(Scaled):
               'f where c = 2 rho/(pi^2 - 4), trace Phi\' = 2; "none" if rho >= (pi^2 - 4)/2'),
         Field("minus_identity", OrNone(Quantity("F")), "Phi' = -1", "f_{-1}",
               'f where c = rho/(pi^2 - 2), trace Phi\' = -2; "none" if rho >= pi^2 - 2'),
-        Field("paper_roots", Many({"theta": Quantity(), "velocity": Quantity("R omega")}, 0, 2),
+        Field("paper_roots", Maybe(Later(lambda: loaded(PAPER_EQUATION).CLAIM)),
               "paper's root", r"\theta", "all roots in (0, pi), ascending, two or none, of F pi "
               "sin theta = 2F + R omega^2 - f pi^2/2 + f theta (pi - theta); velocity = -(F/omega) "
               "sin theta - (f/omega)(pi - theta), negative"),
@@ -78,12 +66,8 @@ class SymmetricOrbits(Scaled):
         for name, sign in (("plus", 1), ("minus", -1)):
             self.branch(name, Symmetric.of(self.alpha, self.rho, sign) if below else None)
         self.bifurcations(limit)
-        self.paper()
-
-    @property
-    def alpha(self) -> Interval:
-        """f/F."""
-        return self.number(self.p.f / self.p.F)
+        if "paper_roots" in self.claims:
+            loaded(self.PARTS["paper_roots"])(self).prove()
 
     def branch(self, name: str, orbit: Symmetric | None) -> None:
         """Prove what is claimed about the orbit of the formula; None if there is no such orbit."""
@@ -123,43 +107,6 @@ class SymmetricOrbits(Scaled):
                 self.confirm(**{name: F * friction(c)})
         self.step("the values of f at which the symmetric orbits change contain what is computed")
 
-    def paper(self) -> None:
-        """Prove that the roots claimed of the paper's equation are all, and that none is valid."""
-        roots, whole = self.claims["paper_roots"], self.pi()
-        low, high = self.psi(self.number(0)), self.psi(whole / 2)
-        decided = not high.contains_zero() and not low.contains_zero()
-        need(decided, "the number of roots of the paper's equation is not decided")
-        expected = 2 if high.is_positive() and not low.is_positive() else 0
-        need(len(roots) == expected, f"the paper's equation has {expected} roots")
-        if roots:
-            first = self.root(roots[0]["theta"])
-            found = [{"theta": t, "velocity": self.velocity(t)} for t in (first, whole - first)]
-            self.confirm(paper_roots=found)
-        self.step(f"the paper's equation has {expected} roots, and none gives a solution")
-
-    def velocity(self, theta: Interval) -> Interval:
-        """Return v(T/2-) by the paper's formula."""
-        speed = cos_sin(theta)[1] + self.alpha * (self.pi() - theta)
-        return -speed * self.number(self.p.F / self.omega)
-
-    def root(self, claim: Enclosure) -> Interval:
-        """Return an enclosure of the root in (0, pi/2), which must lie in the claim."""
-        where, whole = "paper_roots[0].theta", self.pi()
-        X = Interval.enclosing(claim.lower, claim.upper, self.hints["bits"])
-        need(X.is_positive() and X.is_before(whole / 2), f"{where} is not in its half of (0, pi)")
-        low, high = (self.psi(self.number(q)) for q in (claim.lower, claim.upper))
-        need((-low).is_positive() and high.is_positive(), f"{where} may not contain the root")
-        for _ in range(2):
-            m, slope = X.midpoint(), whole * cos_sin(X)[0] - self.alpha * (whole - X * 2)
-            X = X.intersection(m - self.psi(m) / slope)
-        return X
-
-    def psi(self, theta: Interval) -> Interval:
-        """Return Psi(theta)."""
-        whole = self.pi()
-        friction = self.alpha * (whole.square() / 2 - theta * (whole - theta))
-        return whole * cos_sin(theta)[1] - 2 - self.rho + friction
-
     def words(self) -> str:
         """Return the theorem in one line."""
         return self.told("".join(self.sentences()))
@@ -169,7 +116,7 @@ class SymmetricOrbits(Scaled):
         claims, orbits = self.claims, self.claims["branches"]
         genuine = [name for name, orbit in orbits.items() if orbit and orbit["genuine"] == "yes"]
         count = ("zero (1,1) orbits have", "one (1,1) orbit has", "two (1,1) orbits have")
-        yield SYSTEM_AT_F
+        yield SYSTEM
         yield f"exactly {count[len(genuine)]} x(t + T/2) = l + r - x(t) for all t"
         for name in genuine:
             yield _SYMMETRIC.format_map(orbits[name] | {"name": name})
@@ -180,9 +127,8 @@ class SymmetricOrbits(Scaled):
         for trace, name in (("2", "pitchfork"), ("-2", "minus_identity")):
             where = f"at f in {claims[name]} only" if claims[name] else "nowhere"
             yield f"; for 0 < f < 2F/pi the trace of the formula for 'plus' is {trace} {where}"
-        yield _PAPER if claims["paper_roots"] else _NO_ROOTS
-        for root in claims["paper_roots"]:
-            yield "; theta in {theta}, v in {velocity}".format_map(root)
+        if "paper_roots" in claims:
+            yield from loaded(self.PARTS["paper_roots"])(self).words()
 
 
 _SYMMETRIC = (
@@ -198,13 +144,4 @@ _VALUES = (
     "; as f varies, the formulas are defined for f up to 2F/pi in {saddle_center}, where they "
     "meet, and are orbits where their least speed is positive"
 )
-_PAPER = (
-    "; the paper's equation of theta for orbits with one turn between hits has in (0, pi) exactly "
-    "the two roots below, where its formula has the velocity v before the hit of l at T/2, against "
-    "its premise v > 0: so neither is an orbit"
-)
-_NO_ROOTS = (
-    "; the paper's equation of theta for orbits with one turn between hits has no root in (0, pi)"
-)
-
 THEOREM = SymmetricOrbits

@@ -27,7 +27,6 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.letters import Letters
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Table, enclosure, region
-from cap.checker.maps.fixed_point import ends
 from cap.checker.theorems.attractor import Attractor
 
 _MAX_PERIOD, _MAX_FIRST = 64, 1024
@@ -82,8 +81,9 @@ class Window(Attractor):
 
     def attracts(self, c: Interval) -> tuple[Fraction, Fraction]:
         """Prove that a cycle attracts J, and the symbols of the images of J; return J."""
-        low, high = J = ends(self.claims["around"])
-        a, b = ends(self.claims["interval"])
+        J: tuple[Fraction, Fraction] = self.claims["around"][:2]
+        low, high = J
+        a, b = self.claims["interval"][:2]
         need(a < low < high < b, "J has no interior in I")
         found = self.round(Interval.enclosing(low, high, self.hints["bits"]))
         need(found.images[-1].lies_inside(low, high), "G^p may not take J into its interior")
@@ -105,7 +105,7 @@ class Window(Attractor):
 
     def cycle(self, J: tuple[Fraction, Fraction]) -> None:
         """Compare the claims on the cycle."""
-        low, high = ends(self.hints["point"])
+        low, high = self.hints["point"][:2]
         need(J[0] <= low < high <= J[1], "the point is not in J")
         found = self.round(Interval.enclosing(low, high, self.hints["bits"]))
         need(found.images[-1].lies_inside(low, high), "the cycle may not begin at the point")
