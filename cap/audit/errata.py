@@ -69,6 +69,13 @@ def corrected(manuscript: Manuscript) -> tuple[Manuscript, list[Change]]:
     return manuscript, others
 
 
+def undone(manuscript: Manuscript) -> Manuscript:
+    """Return the text as it was before the changes that it has."""
+    for each in [each for each in changes() if each.made(manuscript)]:
+        manuscript = manuscript.replaced(each.new, each.old)
+    return manuscript
+
+
 def patch(path: Path) -> tuple[str, list[str], list[str]]:
     """Return the changes of a TeX file as ``git apply`` and ``patch -p1`` take them.
 

@@ -33,12 +33,7 @@ from cap.sets.interval import Ball
 
 Given = Mapping[str, Any]
 Words = Mapping[str, object]  # by their names
-SYMBOLS = {
-    "positive": {"positive": True},
-    "real": {"real": True},
-    "integer": {"integer": True},
-    "any": {},
-}
+SYMBOLS = {key: {key: True} for key in ("positive", "real", "integer")} | {"any": {}}
 _DEFINES = re.compile(r"(\w+) = (.+)")
 _DECIMAL = re.compile(r"-?\d+\.\d+")
 _HOLDS = re.compile(r"(.+) (==|!=|<|>|in) (.+)")
