@@ -124,6 +124,19 @@ def test_mistakes_in_claims(tex, capsys, old, new, said):
     assert error.count("\n") == 1
 
 
+def test_a_symbol_that_is_not_declared(tex, capsys):
+    """A slip of the pen decides nothing: it was a symbol of its own, and the formula wrong."""
+    assert audit("--paper", tex, "--record") == 0
+    path = subject.file("claims/energy.toml")
+    path.write_text(CLAIMS.replace("integrate(m*v, v)", "integrate(m*w, w)"), "utf-8")
+    subject.forget()
+    capsys.readouterr()
+    assert audit() == 1
+    told = capsys.readouterr()
+    assert "energy.of-a-mass could not be decided" in told.out + told.err
+    assert "name 'w' is not defined" in told.out + told.err
+
+
 def test_a_group_without_claims(tex, capsys):
     """Its file is named."""
     (tex.parent / "papers" / "mine" / "claims" / "energy.toml").unlink()
