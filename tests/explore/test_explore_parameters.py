@@ -229,6 +229,8 @@ def test_an_empty_box():
     """Its ends are told as they were given."""
     with pytest.raises(BadInput, match=r"the box is empty: x from 0 to 1, v from 2 to -2$"):
         grid(PAPER, (0.0, 1.0, 2.0, -2.0), 4)
+    with pytest.raises(BadInput, match=r"between the walls -1 and 1: x from 0 to 5$"):
+        grid(PAPER, (0.0, 5.0, -2.0, 2.0), 4)
 
 
 def test_chaos_has_no_trace():
