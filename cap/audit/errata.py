@@ -39,7 +39,7 @@ class Change:
 @cached
 def changes() -> tuple[Change, ...]:
     """Return all changes, in the order of the paper."""
-    return tuple(Change(**each) for each in subject.data("errata.toml")["change"])
+    return tuple(Change(**each) for each in subject.data("errata.toml").get("change", []))
 
 
 def of(claim: str) -> list[Change]:

@@ -131,7 +131,9 @@ def told(manuscript: Manuscript) -> list[str]:
 def bound() -> str:
     """Return a digest of the quotations and the erratum as they are stored."""
     own = json.dumps(ledger.quotes(), sort_keys=True).encode()
-    return hashlib.sha256(own + subject.file("errata.toml").read_bytes()).hexdigest()
+    erratum = subject.file("errata.toml")
+    changes = erratum.read_bytes() if erratum.is_file() else b""
+    return hashlib.sha256(own + changes).hexdigest()
 
 
 def fitted(path: Path) -> labels.Paper:

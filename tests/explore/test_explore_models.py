@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 from cap.command import prover
 from cap.explore import explorer
@@ -189,6 +190,18 @@ def test_a_portrait(capsys, tmp_path):
     states = load(out[0])["states"]
     assert states.shape == (5, 4, 2)
     assert states == pytest.approx(np.tile([0.073717988, 0.711477683], (5, 4, 1)))
+
+
+def test_a_portrait_of_one_state_is_not_one_of_rounding():
+    """Limits that differ by rounding are widened; others are as they were."""
+    axes = Figure().subplots()
+    axes.plot([1.25, 1.25 + 1e-13], [0, 2])
+    usual = axes.get_ylim()
+    model_states._no_closer(axes)
+    low, high = axes.get_xlim()
+    assert high - low == pytest.approx(model_states.LEAST * 1.25)
+    assert low < 1.25 < high
+    assert axes.get_ylim() == usual
 
 
 @pytest.mark.slow
