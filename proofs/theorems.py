@@ -25,6 +25,7 @@ from cap.runner import Runner, within
 
 PARTS = [Fraction(n, 100) for n in (90, 70, 50, 30, 10, 3, 1)]  # of the largest box found
 GUARDS = (15, 30, 60)  # digits computed beyond those claimed
+LOOSER = "does not contain the enclosure computed"  # by the checker: with more digits it may
 
 Check = Callable[[Mapping[str, Any], Parameters], object]
 
@@ -130,7 +131,7 @@ def takers(option: str) -> list[str]:
 def accepted(theorem: Theorem, setting: Setting) -> dict[str, Any]:
     """Return a certificate that the independent checker accepts, or raise `NotProved`.
 
-    More guard digits are computed until all digits claimed are certain.
+    More guard digits are computed until all digits claimed are certain, to the checker, too.
     """
     ours = 1 - theorem.checking
     tell = setting.runner.tell
@@ -162,4 +163,6 @@ def _followed(proof: Proof, runner: Runner) -> dict[str, Any]:
             rejection = str(reason)
         else:
             return proved
-    raise NotProved("checker", f"the independent checker rejects the certificate: {rejection}")
+    looser = rejection.endswith(LOOSER)
+    why = f"the independent checker rejects the certificate: {rejection}"
+    raise (TooFewDigits if looser else NotProved)("checker", why)

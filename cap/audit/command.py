@@ -99,6 +99,8 @@ def _done(options: argparse.Namespace) -> int:
     """Do what is asked for."""
     if options.paper is not None:
         return _paper(options.paper, options.record)
+    if not labels.stored().places:
+        raise BadInput("the places of the paper are not stored yet: --paper FILE.tex --record")
     if options.patch is not None:
         return _patch(options.patch)
     if options.coverage:
@@ -133,6 +135,9 @@ def _patch(path: Path) -> int:
 def _audit(options: argparse.Namespace) -> int:
     """Decide, report, and compare with what is recorded."""
     claims = ledger.chosen(options.only, options.section)
+    places = {place.label for place in labels.stored().places}
+    if lost := [each for each in claims if each.where not in places]:
+        raise BadInput(f"claim {lost[0].id} is taken from {lost[0].where!r}, which is no place")
     asked = [template for name, template in DOCUMENTS.items() if vars(options)[name]]
     if options.recorded or asked:
         verdicts = recorded.known(each.id for each in claims)

@@ -15,7 +15,7 @@ def taken() -> dict[str, list[str]]:
 
 def reasons() -> dict[str, str]:
     """Return why no claim is taken from some places."""
-    found: dict[str, str] = subject.paper()["none"]
+    found: dict[str, str] = subject.paper().get("none", {})
     return found
 
 

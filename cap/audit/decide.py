@@ -18,7 +18,7 @@ Part = tuple[str, ...]  # ids of claims that are decided together: the rows of a
 
 def decided(claim: Claim, *, fresh: bool = False) -> Verdict:
     """Return the verdict on a claim; whatever goes wrong makes it undecided, and says why."""
-    if not fresh and (found := cache.known(claim)):
+    if not fresh and (found := cache.known(claim)) and _proof_is_there(found):
         return found
     noted()
     try:
@@ -40,7 +40,7 @@ def _rested(verdict: Verdict, certificates: Collection[str], *, made: bool) -> V
     the steps that were made; else the reading of the text.  What is numerical, or read by
     steps, or not decided, says so itself.
     """
-    if verdict.proof and not exists(verdict.proof):
+    if not _proof_is_there(verdict):
         return _undecided(f"the written proof {verdict.proof} is missing")
     if verdict.certificate and verdict.certificate not in certificates:
         return _undecided(f"the certificate {verdict.certificate} is named, and was not checked")
@@ -51,6 +51,10 @@ def _rested(verdict: Verdict, certificates: Collection[str], *, made: bool) -> V
     if certificates:
         return replace(verdict, strength=Strength.CERTIFIED)
     return replace(verdict, strength=Strength.PROVED if made else Strength.READ)
+
+
+def _proof_is_there(verdict: Verdict) -> bool:
+    return not verdict.proof or exists(verdict.proof)
 
 
 def _undecided(why: str) -> Verdict:

@@ -39,7 +39,7 @@ class Change:
 @cached
 def changes() -> tuple[Change, ...]:
     """Return all changes, in the order of the paper."""
-    return tuple(Change(**each) for each in subject.data("errata.toml")["change"])
+    return tuple(Change(**each) for each in subject.data("errata.toml").get("change", []))
 
 
 def of(claim: str) -> list[Change]:
@@ -67,6 +67,13 @@ def corrected(manuscript: Manuscript) -> tuple[Manuscript, list[Change]]:
         else:
             others.append(each)
     return manuscript, others
+
+
+def undone(manuscript: Manuscript) -> Manuscript:
+    """Return the text as it was before the changes that it has."""
+    for each in [each for each in changes() if each.made(manuscript)]:
+        manuscript = manuscript.replaced(each.new, each.old)
+    return manuscript
 
 
 def patch(path: Path) -> tuple[str, list[str], list[str]]:

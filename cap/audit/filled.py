@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 from decimal import Decimal
 from fractions import Fraction
 from functools import reduce
+from math import ceil, floor
 from numbers import Rational
 from types import MappingProxyType
 from typing import Any
@@ -32,12 +33,12 @@ def ends(value: Any) -> tuple[Fraction, Fraction]:
 
 def below(q: Fraction, places: int) -> str:
     """Return a number, rounded down."""
-    return interval.decimal(q * 10**places // 1 / Fraction(10**places), places)
+    return interval.fixed(floor(q * 10**places), places)
 
 
 def above(q: Fraction, places: int) -> str:
     """Return a number, rounded up."""
-    return interval.decimal(-(-q * 10**places // 1) / Fraction(10**places), places)
+    return interval.fixed(ceil(q * 10**places), places)
 
 
 def pair(value: Any, places: int) -> str:

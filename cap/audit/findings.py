@@ -41,7 +41,7 @@ class Finding:
 @cached
 def findings() -> tuple[Finding, ...]:
     """Return all findings, those that matter most first."""
-    return tuple(Finding(**each) for each in subject.data("findings.toml")["finding"])
+    return tuple(Finding(**each) for each in subject.data("findings.toml").get("finding", []))
 
 
 def members(verdicts: Mapping[str, Verdict]) -> dict[Finding, list[str]]:

@@ -13,14 +13,23 @@ from cap.audit.claim import Claim, Kind, content
 from cap.audit.filled import filled
 from cap.audit.steps import RULES, Given, Steps, Words
 from cap.audit.verdict import UNDECIDABLE, Outcome, Strength, Verdict
+from cap.errors import BadInput
 
+FIELDS = "id", "where", "says", "stated", "quote", "kind"
 WORDS = "verdict", "found", "evidence", "proof", "certificate"
 
 
 def claims(path: Path, module: str) -> tuple[Claim, ...]:
     """Return the claims of a file; functions of a module decide those that need some."""
     data = subject.read(path)
-    return tuple(_claim(each, data.get("common", {}), module) for each in data["claim"])
+    entries = data.get("claim", [])
+    for n, entry in enumerate(entries, 1):
+        if missing := [name for name in FIELDS if name not in entry]:
+            raise BadInput(f"{path}: claim {entry.get('id', n)} has no {' and no '.join(missing)}")
+        if entry["kind"] not in list(Kind):
+            kinds = ", ".join(Kind)
+            raise BadInput(f"{path}: claim {entry['id']}: the kind is none of {kinds}")
+    return tuple(_claim(each, data.get("common", {}), module) for each in entries)
 
 
 def _claim(entry: Given, common: Given, module: str) -> Claim:
@@ -30,7 +39,7 @@ def _claim(entry: Given, common: Given, module: str) -> Claim:
         own = import_module(subject.module(f"claims.{group}") if group else module)
         function = partial(getattr(own, name), **entry.get("with", {}))
     return Claim(
-        **{name: entry[name] for name in ("id", "where", "says", "stated", "quote")},
+        **{name: entry[name] for name in FIELDS if name != "kind"},
         kind=Kind(entry["kind"]),
         decide=partial(decided, entry, common, function),
         content=content(entry, common, errata.formulas(entry["id"])),

@@ -66,14 +66,14 @@ class Paper:
     is a digest of the quotations and the erratum that were found to fit the file.
     """
 
-    sha256: str
-    title: str
-    author: str
-    cited: int
-    references: int
-    pictures: int
-    bound: str
-    places: tuple[Place, ...]
+    sha256: str = ""
+    title: str = ""
+    author: str = ""
+    cited: int = 0
+    references: int = 0
+    pictures: int = 0
+    bound: str = ""
+    places: tuple[Place, ...] = ()
     lines: dict[str, int] = field(default_factory=dict)
 
     def place(self, label: str) -> Place:
@@ -175,6 +175,6 @@ def dumps(paper: Paper) -> str:
 
 @cached
 def stored() -> Paper:
-    """Return the places as they are stored."""
-    found = subject.data("labels.json")
+    """Return the places as they are stored; none before the first time."""
+    found = subject.data("labels.json") or asdict(Paper())
     return Paper(**{**found, "places": tuple(Place(**each) for each in found["places"])})

@@ -16,8 +16,10 @@ def claims() -> dict[str, Claim]:
     The rows of tables come after the other claims of their places.
     """
     found: list[Claim] = []
-    for group in subject.paper()["groups"]:
+    for group in subject.paper().get("groups", []):
         path, module = subject.file(f"claims/{group}.toml"), subject.module(f"claims.{group}")
+        if not path.is_file():
+            raise BadInput(f"the group {group!r} of paper.toml has no file: {path}")
         found += given.claims(path, module)
     found += tables.claims()
     order = {place.label: k for k, place in enumerate(labels.stored().places)}

@@ -20,7 +20,6 @@ from cap.audit.verdict import Outcome
 from cap.errors import BadInput
 
 _NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?")
-LEAST = 12  # characters that two pieces have in common
 WRONG = Outcome.CORRECTED, Outcome.REFUTED
 PRINTED = Kind.FORMULA, Kind.NUMBER, Kind.INEQUALITY  # of which each wrong one has a change
 
@@ -34,47 +33,28 @@ class State(StrEnum):
     GONE = "gone"
 
 
-def sentence(name: str, manuscript: Manuscript) -> tuple[State, str]:
+def sentence(name: str, manuscript: Manuscript, before: Manuscript) -> tuple[State, str]:
     """Return the state of the sentence of a claim, and what is seen of it.
 
-    What is recorded says what number is right.
+    ``before``: the text without the changes that it has.  What is recorded says what number is
+    right.
     """
-    piece, wanted = ledger.quotes()[name], errata.of(name)
-    done = [each.made(manuscript) for each in wanted]
-    if wanted and all(done):
-        return State.CORRECTED, "as the erratum has it"
+    piece, done = ledger.quotes()[name], [each.made(manuscript) for each in errata.of(name)]
+    alone = before.count(piece) > 0
+    if done and all(done):
+        seen = "as the erratum has it" if alone else "corrected, and another besides"
+        return State.CORRECTED if alone else State.CHANGED, seen
     if manuscript.count(piece):
         return State.STANDS, "corrected elsewhere only" if any(done) else ""
     if any(done):
         return State.CHANGED, "corrected in some places, not in all"
-    if others := _others(piece, manuscript):
-        return State.CORRECTED, f"the erratum has it, for {', '.join(others)}"
+    if alone:
+        return State.CORRECTED, "as the erratum has it, for other claims"
     numbers = _numbers(piece, manuscript)
     if not (changed := [new for old, new in numbers if Fraction(old) != Fraction(new)]):
         return State.GONE, " ".join(piece.split())
     state = State.CORRECTED if _right(name, numbers) else State.CHANGED
     return state, f"now {', '.join(changed)}; found: {recorded.recorded()[name].found}"
-
-
-def _others(piece: str, manuscript: Manuscript) -> list[str]:
-    """Return the claims whose changes, as the erratum has them, are why a piece is gone."""
-    own = " ".join(piece.split())
-    names: dict[str, None] = {}
-    for each in errata.changes():
-        old = " ".join(each.old.split())
-        if old in own:
-            new = own.replace(old, " ".join(each.new.split()))
-            done = manuscript.count(new) > 0
-        else:
-            done = own in old or _overlap(old, own) or _overlap(own, old)
-        if done and each.made(manuscript):
-            names |= dict.fromkeys(each.claims)
-    return list(names)
-
-
-def _overlap(first: str, second: str) -> bool:
-    """Return whether one ends with what the other begins with, more than a word of it."""
-    return any(first.endswith(second[:k]) for k in range(LEAST, min(len(first), len(second))))
 
 
 def _numbers(piece: str, manuscript: Manuscript) -> list[tuple[str, str]]:
@@ -132,7 +112,8 @@ def told(manuscript: Manuscript) -> list[str]:
     Raises `BadInput` if it has none of the sentences.
     """
     known, claims, text = recorded.recorded(), ledger.claims(), manuscript.printed
-    found = {name: sentence(name, text) for name in ledger.quotes()}
+    before = errata.undone(text)
+    found = {name: sentence(name, text, before) for name in ledger.quotes()}
     if {state for state, _ in found.values()} == {State.GONE}:
         raise BadInput("this is another text: no sentence of the paper is in it")
     stand = {name for name, (state, _) in found.items() if state is State.STANDS}
@@ -150,7 +131,9 @@ def told(manuscript: Manuscript) -> list[str]:
 def bound() -> str:
     """Return a digest of the quotations and the erratum as they are stored."""
     own = json.dumps(ledger.quotes(), sort_keys=True).encode()
-    return hashlib.sha256(own + subject.file("errata.toml").read_bytes()).hexdigest()
+    erratum = subject.file("errata.toml")
+    changes = erratum.read_bytes() if erratum.is_file() else b""
+    return hashlib.sha256(own + changes).hexdigest()
 
 
 def fitted(path: Path) -> labels.Paper:

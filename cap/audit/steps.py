@@ -22,6 +22,7 @@ from typing import Any
 from cap.audit import errata, labels, tex
 from cap.audit.comparison import rounded
 from cap.audit.means import algebra
+from cap.audit.means.lazy import parser
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import made, need
 from cap.audit.means.stored import THE_PAPER, claimed
@@ -33,12 +34,7 @@ from cap.sets.interval import Ball
 
 Given = Mapping[str, Any]
 Words = Mapping[str, object]  # by their names
-SYMBOLS = {
-    "positive": {"positive": True},
-    "real": {"real": True},
-    "integer": {"integer": True},
-    "any": {},
-}
+SYMBOLS = {key: {key: True} for key in ("positive", "real", "integer")} | {"any": {}}
 _DEFINES = re.compile(r"(\w+) = (.+)")
 _DECIMAL = re.compile(r"-?\d+\.\d+")
 _HOLDS = re.compile(r"(.+) (==|!=|<|>|in) (.+)")
@@ -88,7 +84,12 @@ class Steps:
             known[own := f"claimed_{len(known)}"] = self._exact(value)
             return own
 
-        return sp.parse_expr(_CLAIMED.sub(name, text), local_dict=known)
+        rules = parser.standard_transformations
+        declared = tuple(each for each in rules if each != parser.auto_symbol)
+        try:
+            return parser.parse_expr(_CLAIMED.sub(name, text), known, declared)
+        except NameError as error:
+            raise NotProved("audit", f"{error}, in {text}: symbols are declared") from None
 
     def _called(self, function: Callable[..., Any]) -> Callable[..., Any]:
         """Return a function for expressions."""

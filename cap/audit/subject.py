@@ -70,9 +70,12 @@ def data(name: str) -> dict[str, Any]:
 
 
 def read(path: Path) -> dict[str, Any]:
-    """Return what a file says, in TOML or JSON."""
+    """Return what a file says, in TOML or JSON; `BadInput` if it is neither."""
     loads = tomllib.loads if path.suffix == ".toml" else json.loads
-    return loads(path.read_text(encoding="utf-8"))
+    try:
+        return loads(path.read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise BadInput(f"{path}: {error}") from None
 
 
 def store(name: str, text: str) -> None:

@@ -215,7 +215,9 @@ def _elliptic(orbits: Sequence[Closed]) -> list[Closed]:
 def _others(met: Met) -> Iterable[str]:
     """Give what else was met, in words."""
     for n, count in sorted(met.periods.items()):
-        yield f"{count} that attract close after {n} periods (--period {n})"
+        ends = "states end at orbits that attract and close" if count > 1 else "state ends at one"
+        periods = "period" if n == 1 else "periods"
+        yield f"{count} {ends} after {n} {periods} (--period {n})"
     if met.neutral:
         k = len(met.neutral)
         yield (

@@ -55,8 +55,9 @@ def parser() -> Parser:
     words = Parser(
         prog=program("cap.verify"),
         description="Verify certificates: each theorem is proved again, in other arithmetic and by "
-        "other code than those that made the certificate; but conservative, and sinks, cycles and "
-        "places in mixed, are proved by this code alone.",
+        "other code than those that made the certificate; but conservative, contact_attractor, and "
+        "parts of mixed, horseshoes and particles_stability, are proved by this code alone "
+        "(docs/certificates.md).",
         epilog=f"Example: {program('cap.verify')} --explain certificates/elliptic.json",
     )
     words.add_argument(

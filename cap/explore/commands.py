@@ -50,7 +50,8 @@ class Command:
         if "masses" not in given:
             alone = [f"--{o.name}" for o in (*MASSES, STATE) if o.keyword in given]
             if alone:
-                raise BadInput(f"{alone[0]} needs the masses: --masses 1,9/10")
+                one = " (the state of one mass is --orbit X V)" if alone[0] == "--state" else ""
+                raise BadInput(f"{alone[0]} needs the masses: --masses 1,9/10{one}")
             return self
         run, draw, size = self.of_masses
         command = replace(self, run=run, draw=draw, size=size, of_masses=None)

@@ -24,6 +24,7 @@ from cap.pictures.style import BLACK, BLUE, CYCLE, GREY, RED, cells, dots
 
 SOLID = "#D9D9D9"
 LOOKS: dict[bool, dict[str, Any]] = {True: {"lw": 1.4}, False: {"lw": 0.9, "ls": (0, (4, 2))}}
+LEAST = 1e-3  # the width of a picture, relative to its numbers: ticks have four digits then
 STROBE = r" at $t \equiv 0$ mod $T$"
 
 
@@ -33,10 +34,13 @@ def portrait(findings: ModelPortrait, figure: FigureBase) -> None:
     for axes, plane in zip(planes, findings.planes, strict=True):
         i, k = (findings.state.index(z) for z in plane)
         _walls(axes, plane, findings.walls)
+        ends = np.ptp(findings.states[..., [i, k]], axis=(0, 1))
+        size = 12.0 if ends.max() < LEAST else 1.0  # all states are one, as far as is seen
         for n, path in enumerate(findings.states):
             colour = "#AAAAAA" if findings.rested[n] else CYCLE[n % len(CYCLE)]
-            dots(axes, path[:, [i, k]], colour, 1.0)
+            dots(axes, path[:, [i, k]], colour, size)
         _labels(axes, plane, _when(findings, findings.event))
+        _no_closer(axes)
     handles = [Patch(fc="#AAAAAA", label="contacts accumulate")] if findings.rested.any() else []
     if handles and not findings.rested.all():
         figure.legend(handles=handles, loc="outside lower center", handlelength=0.9)
@@ -145,6 +149,14 @@ def _walls(axes: Axes, plane: tuple[str, str], walls: tuple[Wall, ...]) -> None:
         draw = {plane[0]: axes.axvline, plane[1]: axes.axhline}.get(wall.variable)
         if draw and wall.solid:
             draw(float(wall.place[0]), color=GREY, ls="--", lw=0.8)
+
+
+def _no_closer(axes: Axes) -> None:
+    """Widen limits between which there is little but rounding: all states may be one."""
+    for (low, high), limit in ((axes.get_xlim(), axes.set_xlim), (axes.get_ylim(), axes.set_ylim)):
+        least = LEAST * max(abs(low), abs(high), 1)
+        if high - low < least:
+            limit((low + high - least) / 2, (low + high + least) / 2)
 
 
 def _when(findings: OfModel, event: str = "") -> str:

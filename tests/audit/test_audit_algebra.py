@@ -44,6 +44,17 @@ def test_different(left, right):
     assert not same(left, right)
 
 
+def test_points_at_which_expressions_may_be_compared():
+    """Integers are integers; what stands for a number that is known is at no other."""
+    n = sp.Symbol("n", integer=True)
+    assert not differs(sp.sin(sp.pi * n / 2) * sp.cos(sp.pi * n / 2), 0)
+    assert differs(n + 1, n)
+    known = sp.Dummy("1.5", real=True)
+    assert not differs(known, sp.Rational(3, 2))
+    with pytest.raises(NotProved, match="undecided"):
+        compared(known * x, sp.Rational(3, 2) * x)
+
+
 def test_formula_gives_the_verdict():
     """Confirmed, corrected, or neither: an expression that cannot be enclosed decides nothing."""
     assert compared(x * (x + 1), x**2 + x) is Outcome.CONFIRMED

@@ -6,7 +6,7 @@ import pytest
 from audit_verdicts import said
 
 from cap import tree
-from cap.audit import cache
+from cap.audit import cache, decide
 from cap.audit.decide import decided
 from cap.audit.means import stored
 from cap.audit.verdict import Outcome, Strength
@@ -46,6 +46,17 @@ def test_another_certificate_decides_anew(example, monkeypatch):
     cache.keep(one, said("confirmed", "kept", ""), {"capture.json": stored.digest("capture.json")})
     assert decided(one).found == "kept"
     monkeypatch.setattr(stored, "digest", lambda name: f"another {name}")
+    assert decided(one).found == "yes"
+    assert len(calls) == 1
+
+
+def test_a_proof_that_is_gone_decides_anew(example, monkeypatch):
+    """What rests on a written proof holds while this is there."""
+    one, calls = example
+    cache.keep(one, said("confirmed", "kept", "", proof="lift.md#exactness"), {})
+    monkeypatch.setattr(decide, "exists", lambda _: True)
+    assert decided(one).found == "kept"
+    monkeypatch.setattr(decide, "exists", lambda _: False)
     assert decided(one).found == "yes"
     assert len(calls) == 1
 

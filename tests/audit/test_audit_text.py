@@ -20,7 +20,8 @@ CHANGES = pytest.mark.parametrize("change", errata.changes(), ids=lambda each: e
 
 def state(name, text):
     """Return what became of a claim's sentence in a text."""
-    return revision.sentence(name, Manuscript(text))[0]
+    new = Manuscript(text)
+    return revision.sentence(name, new, errata.undone(new))[0]
 
 
 def test_pieces_are_found_however_lines_are_broken():
@@ -151,8 +152,15 @@ def test_the_erratum_is_recognised():
     assert state(around, ledger.quotes()[around].replace(olds[-1], news[-1])) is State.CORRECTED
     assert state(around, news[-1]) is State.GONE
     beside = "linearization.value-of-the-bound"  # its quotation begins inside of a change
-    assert state(beside, news[-1]) is State.CORRECTED
-    assert state(beside, f"{news[-1]} {olds[-1]}") is State.GONE
+    rest = ledger.quotes()[beside].removeprefix(r"$F_{\rm imp} = \pi f / (2\omega)")
+    assert state(beside, news[-1] + rest) is State.CORRECTED
+    assert state(beside, news[-1] + rest.replace("our", "other")) is State.GONE
+    assert state(beside, f"{news[-1]}{rest} {olds[-1]}") is State.GONE
+    more = "stops.tangency-times"  # and this has words that no change is about
+    (change,) = errata.of(more)
+    corrected = ledger.quotes()[more].replace(change.old, change.new)
+    assert state(more, corrected) is State.CORRECTED
+    assert state(more, corrected.replace("only when", "never when")) is State.CHANGED
     inside = "fig-hist-cont.orbits-at-each-f-but-2"  # and here a change is a part of it
     (change,) = errata.of("gallery.range-of-the-counts")
     corrected = ledger.quotes()[inside].replace(change.old, change.new)

@@ -57,6 +57,18 @@ def test_the_influence_of_errors_on_the_place(angle):
                 assert truth <= found <= truth + 2.1 * far * errors[0] + 1e-12
 
 
+@pytest.mark.parametrize("errors", [(1e-3, 1e-9), (1e-9, 1e-3)])
+def test_what_is_left_of_models_is_carried(errors):
+    """A and B of the next flight are polynomials; each is wrong by what was left of its model."""
+    f = flight(-1, 1)._replace(C=(1.0, 0.0, 0.0, 1.0), R=(0.0, 0.0), errors=(0.0, 0.0))
+    models, same = tuple(q.model(e, one=1.0) for e in errors), (0.0, 0.0)
+    times = (1.0, 1.0), (1.0, 1.0 - math.pi)
+    found = motion.followed(AHEAD, f, *times, models, ((1.0, 0.0), same, same, (1.0, 0.0)))
+    assert found.A == found.B == q.model(one=1.0)
+    for error, carried in zip(errors, found.errors, strict=True):
+        assert error <= carried <= error * (1 + 1e-9)
+
+
 def constant(model):
     """Return the constant coefficient of a model in one variable or two."""
     return model[0] if isinstance(model[0], float) else model[0][0]

@@ -62,6 +62,15 @@ def test_one_period():
             Ellipses.of(claims | {"periods": periods})
 
 
+def test_the_box_of_an_ellipse():
+    """It reaches from the centre, either way, as far as rows of A are long."""
+    rows = [[Fraction(3), Fraction(4)], [Fraction(0), Fraction(1, 2)]]
+    x, y = Ellipses((Fraction(1), Fraction(2)), rows, Fraction(1, 2), Fraction(1)).box(64)
+    for side, low, high in ((x, -4, 6), (y, Fraction(3, 2), Fraction(5, 2))):
+        assert low - Fraction(1, 10**9) < side.lower <= low
+        assert high <= side.upper < high + Fraction(1, 10**9)
+
+
 def test_a_larger_inner_ellipse(small):
     """One nearly as large as the outer one, as large, larger, or none."""
     rejected(changed(small, "claims", "part", "0.99"), "leave the ellipse before")

@@ -78,3 +78,11 @@ def test_large_angles_and_coefficients():
         cos, sin = line.trigonometric((c, 0.0))
         check(cos, lambda x, s=size: math.cos(7 + s * x - s / 2 * x * x))
         check(sin, lambda x, s=size: math.sin(7 + s * x - s / 2 * x * x))
+
+
+@pytest.mark.parametrize(("steep", "left"), [(None, 2.0**-8), (2.0**-9, 2.0**-9)])
+def test_slopes(steep, left):
+    """The derivative of 3 X + X^2/2 + r is in [2, 4] and r', |r'| <= 4 e or what is known."""
+    low, high = line.slopes(((0.0, 3.0, 0.5, 0.0, 0.0, 0.0, 0.0), 2.0**-10), steep)
+    assert 2 - left - 1e-9 < low <= 2 - left
+    assert 4 + left <= high < 4 + left + 1e-9

@@ -109,3 +109,12 @@ def test_nothing_is_shown_of_what_is_too_large():
         assert not high < math.inf
         with pytest.raises(Rejected):
             q.inverse(p)
+
+
+@pytest.mark.parametrize("v", [-0.5, 0.0, 0.5])
+def test_an_integral_below_a_value(v):
+    """Of the density 3 + Y, at least 2, at most 4, over X < v, a part (1 + v)/2 of the square."""
+    constant = q.integral_below(q.model(one=3.0), q.model(X=1.0), v)
+    assert 6 * (1 + v) - 1e-9 < constant <= 6 * (1 + v)
+    most = max(4 * (1 + v), 12 - 8 * (1 - v))
+    assert most - 1e-9 < q.integral_below(q.model(one=3.0, Y=1.0), q.model(X=1.0), v) <= most

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from cap.command import entry
+from cap.command.verifier import parser
 
 ROOT = Path(__file__).parents[2]
 SADDLE = str(ROOT / "certificates/saddle.json")
@@ -190,6 +191,13 @@ def test_closed_streams(closed, tmp_path):
         done = subprocess.run(line, shell=True, check=False, capture_output=True, cwd=ROOT)  # noqa: S602
         assert done.returncode == status
         assert done.stderr == b""
+
+
+def test_help_names_what_is_proved_once():
+    """The theorems of which the README says that they, or parts, are proved by one code alone."""
+    told = parser().format_help()
+    for name in ("conservative", "contact_attractor", "mixed", "horseshoes", "particles_stability"):
+        assert name in told
 
 
 @pytest.mark.parametrize("words", [[SADDLE], ["--help"]])

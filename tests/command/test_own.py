@@ -5,6 +5,7 @@ import json
 import pytest
 
 from cap.checker.verdict import check
+from cap.command.own import _others
 from cap.command.prover import main
 from cap.errors import NotProved
 from cap.floats.models.contacts import meets
@@ -60,6 +61,8 @@ def test_orbits_are_listed_once_and_by_their_least_period():
     met = search(system, 2, lambda *_: None)
     assert one.itinerary.contacts not in [orbit.itinerary.contacts for orbit in met.orbits]
     assert met.periods[1] == met.settled - met.captured
+    told = "states end at orbits that attract and close after 1 period (--period 1)"
+    assert next(iter(_others(met))) == f"{met.periods[1]} {told}"
 
 
 def test_a_solution_that_does_not_happen():

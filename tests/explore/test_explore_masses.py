@@ -69,7 +69,7 @@ BAD = {
     "too many periods": ["orbit", "--masses", "1,1", "--periods", "300"],
     "--box is about one mass": ["portrait", "--masses", "1,1", "--box", "0", "1", "0", "1"],
     "--orbit is about one mass": ["orbit", "--masses", "1,1", "--orbit", "0", "1"],
-    "--state needs the masses": ["orbit", "--state", "0", "1"],
+    "the state of one mass is --orbit X V": ["orbit", "--state", "0", "1"],
     "--proportional needs the masses": ["attractor", "--proportional"],
     "elastic walls and no viscosity": ["attractor", "--masses", "1,1", "--mu", "1/10"],
     "the radius is too large": [

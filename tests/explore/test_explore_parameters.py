@@ -11,6 +11,7 @@ from cap.errors import BadInput
 from cap.explore.inventory import inventory
 from cap.floats.diagnostics.continuation import continuation
 from cap.floats.diagnostics.gallery import gallery
+from cap.floats.diagnostics.grid import grid
 from cap.floats.diagnostics.plane import plane
 from cap.floats.engine import swarm
 from cap.floats.variation import value_of, varied
@@ -224,6 +225,21 @@ def test_inventory_from_many_seeds(force, count):
     assert len(found.orbits) == count
 
 
+def test_an_empty_box():
+    """Its ends are told as they were given."""
+    with pytest.raises(BadInput, match=r"the box is empty: x from 0 to 1, v from 2 to -2$"):
+        grid(PAPER, (0.0, 1.0, 2.0, -2.0), 4)
+    with pytest.raises(BadInput, match=r"between the walls -1 and 1: x from 0 to 5$"):
+        grid(PAPER, (0.0, 5.0, -2.0, 2.0), 4)
+
+
+def test_chaos_has_no_trace():
+    """What closes has its trace and determinant; of what does not nothing is said."""
+    found = gallery(PAPER, values=(50.0,), periods=1)
+    assert np.isnan(found.trace[0])
+    assert "nan" not in found.lines()[1]
+
+
 @pytest.mark.slow
 def test_gallery_has_traces():
     """At F = 9/2 the focus of the paper or its mirror image."""
@@ -231,3 +247,4 @@ def test_gallery_has_traces():
     assert found.trace[0] == pytest.approx(-0.520, abs=1e-3)
     assert found.determinant[0] == pytest.approx(0.559, abs=1e-3)
     assert found.orbits[0].counts()["hit"] == 5
+    assert "; trace -0.52" in found.lines()[1]

@@ -180,6 +180,14 @@ def test_other_parameters(capsys, tmp_path, words):
     assert "accepts" in out
 
 
+def test_large_multipliers(capsys, tmp_path):
+    """The checker's determinant is too wide for the first guard digits, and not for the next."""
+    words = "--F", "1.3", "--f", "3/10", "--r", "3/2", "--digits", "10", "--out", str(tmp_path)
+    status, out, err = proving(capsys, "saddle", *words)
+    assert (status, err) == (0, "")
+    assert "accepts" in out
+
+
 @pytest.mark.parametrize(
     ("words", "complaint"),
     [

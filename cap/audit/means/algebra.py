@@ -44,12 +44,20 @@ def same(left: Any, right: Any) -> bool:
 
 
 def differs(left: Any, right: Any) -> bool:
-    """Return whether two expressions, or matrices, certainly differ at an exact point."""
+    """Return whether two expressions, or matrices, certainly differ at an exact point.
+
+    A dummy symbol stands for one number, which is no point that may be chosen.
+    """
     difference = left - right
     if isinstance(difference, sp.MatrixBase):
         return any(differs(entry, 0) for entry in difference)
     free = sorted(difference.free_symbols, key=str)
-    point = {symbol: Fraction(7 * k + 10, 5 * k + 13) for k, symbol in enumerate(free)}
+    if any(isinstance(symbol, sp.Dummy) for symbol in free):
+        return False
+    point = {
+        symbol: Fraction(7 * k + 10, 1 if symbol.is_integer else 5 * k + 13)
+        for k, symbol in enumerate(free)
+    }
     with precisely():
         value = enclosure(difference, point)
         return bool(value.is_finite() and (value > 0 or value < 0))

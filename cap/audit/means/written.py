@@ -15,13 +15,10 @@ def exists(reference: str) -> bool:
 
 
 @cache
-def sections(name: str) -> dict[str, str]:
-    """Return the sections of a file: their titles by the names that a link uses."""
-    path = FOLDER / name
-    if not path.is_file():
-        return {}
-    titles = re.findall(r"^## (.+)$", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
-    return {anchor(title): title for title in titles}
+def sections(name: str) -> list[str]:
+    """Return the sections of a file, if it is there, by the names that a link uses."""
+    text = path.read_text(encoding="utf-8") if (path := FOLDER / name).is_file() else ""
+    return [anchor(title) for title in re.findall(r"^## (.+)$", text, flags=re.MULTILINE)]
 
 
 def anchor(title: str) -> str:

@@ -141,12 +141,13 @@ class Report:
     @cached_property
     def by_id(self) -> dict[str, Entry]:
         """The entries by the ids of the claims."""
-        paper, found = labels.stored(), {}
-        for name, verdict in self.verdicts.items():
-            claim = ledger.claims()[name]
-            line = paper.lines.get(name, 0)  # 0: it has no quotation
-            found[name] = Entry(claim, verdict, paper.place(claim.where), line)
-        return found
+        paper, claims = labels.stored(), ledger.claims()
+        return {  # in the line 0: without quotation
+            name: Entry(
+                claims[name], each, paper.place(claims[name].where), paper.lines.get(name, 0)
+            )
+            for name, each in self.verdicts.items()
+        }
 
     @property
     def whole(self) -> bool:
@@ -174,12 +175,10 @@ class Report:
 
     def counts(self) -> list[tuple[str, list[int]]]:
         """Return for each section, and for all, how many claims have each of `outcomes`."""
-        rows = [(each.heading.replace(". ", " ", 1), each.entries) for each in self.sections]
-        rows.append(("All", list(self.by_id.values())))
-        tallies = [
-            (name, Counter(each.verdict.outcome for each in entries)) for name, entries in rows
-        ]
-        return [(name, [tally[outcome] for outcome in self.outcomes]) for name, tally in tallies]
+        rows = {each.heading.replace(". ", " ", 1): each.entries for each in self.sections}
+        rows["All"] = list(self.by_id.values())
+        found = {name: [each.verdict.outcome for each in rows[name]] for name in rows}
+        return [(name, list(map(each.count, self.outcomes))) for name, each in found.items()]
 
     @cached_property
     def findings(self) -> list[Found]:

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from fractions import Fraction
+from math import isfinite
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,8 +62,8 @@ class Gallery(Findings):
         return [
             head,
             *(
-                f"  {self.parameter} = {value:<6.6g} {each.line()}; trace {trace:.5g}, "
-                f"det {det:.5g}"
+                f"  {self.parameter} = {value:<6.6g} {each.line()}"
+                + (f"; trace {trace:.5g}, det {det:.5g}" if isfinite(trace) else "")
                 for value, each, trace, det in rows
             ),
         ]

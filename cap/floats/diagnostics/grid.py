@@ -46,11 +46,12 @@ class Grid:
 def grid(p: Parameters, box: Box, points: int) -> Grid:
     """Return a grid of points x points states of a box (x min, x max, v min, v max)."""
     left, right, low, high = box
+    x, v = f"x from {left:.6g} to {right:.6g}", f"v from {low:.6g} to {high:.6g}"
     if not (left < right and low < high):
-        raise BadInput(f"the box is empty: x from {left:.6g} to {right:.6g}, v {low:.6g} to {high}")
+        raise BadInput(f"the box is empty: {x}, {v}")
     l, r = float(p.l), float(p.r)
     if not (l <= left and right <= r):
-        raise BadInput(f"the box must lie between the walls {l:.6g} and {r:.6g}: x = {left:.6g} ..")
+        raise BadInput(f"the box must lie between the walls {l:.6g} and {r:.6g}: {x}")
     if points * points > MOST:
         raise BadInput(f"too many states: {points} x {points} (at most {MOST})")
     return Grid(np.linspace(left, right, points), np.linspace(low, high, points))

@@ -31,7 +31,7 @@ def contacts(
     ends = engine.follow([state], modes, periods=periods, log=MOST + 1)
     words = [engine.words[int(line[2])] for line in ends.log]
     if ends.flags[0]:
-        raise BadInput("the orbit is lost, or begins outside its mode: see the flags of its end")
+        raise BadInput("the orbit is lost, or begins where a guard of its mode is negative")
     if not 0 < len(words) <= MOST:
         raise BadInput(f"the orbit has {len(words) or 'no'} contacts: from 1 to {MOST} are proved")
     if engine.words[-1] in words:
