@@ -34,9 +34,11 @@ def portrait(findings: ModelPortrait, figure: FigureBase) -> None:
     for axes, plane in zip(planes, findings.planes, strict=True):
         i, k = (findings.state.index(z) for z in plane)
         _walls(axes, plane, findings.walls)
+        ends = np.ptp(findings.states[..., [i, k]], axis=(0, 1))
+        size = 12.0 if ends.max() < LEAST else 1.0  # all states are one, as far as is seen
         for n, path in enumerate(findings.states):
             colour = "#AAAAAA" if findings.rested[n] else CYCLE[n % len(CYCLE)]
-            dots(axes, path[:, [i, k]], colour, 1.0)
+            dots(axes, path[:, [i, k]], colour, size)
         _labels(axes, plane, _when(findings, findings.event))
         _no_closer(axes)
     handles = [Patch(fc="#AAAAAA", label="contacts accumulate")] if findings.rested.any() else []

@@ -67,6 +67,8 @@ def _row(axes: Axes, findings: ModelOrbit, names: tuple[str, ...], *, last: bool
         for wall in findings.walls:
             if wall.variable == names[0]:
                 limits = _wall(axes, t, wall, limits)
+    else:  # room for the names
+        limits = limits[0], limits[1] + 0.4 * (limits[1] - limits[0])
     axes.set_ylim(limits)
     for word, chosen, look in events(findings):
         for i in own:

@@ -145,7 +145,7 @@ def test_lies(path, value, why):
     [
         (BELT, "rate", -3, "lambda may be larger"),
         (TOSS, "laps", -3, "B may grow faster"),
-        (TOSS, "growth", 1, "A may not grow"),
+        (TOSS, "growth", 1, "matrix may not grow"),
     ],
 )
 def test_the_smallest_lie(given, name, step, why):

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from cap.checker.coverings.timed import FINE, confirm_timed, exp_above
+from cap.checker.coverings.timed import confirm_timed
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems import contact_horseshoe
 from cap.checker.verdict import check, words
@@ -122,13 +122,11 @@ def test_other_overlaps(value):
 
 
 @pytest.mark.parametrize("i", range(4))
-@pytest.mark.parametrize(
-    ("name", "why"), [("vector", "does not grow as"), ("timed_vector", "do not grow in time")]
-)
-def test_another_vector(name, i, why):
+@pytest.mark.parametrize("name", ["vector", "timed_vector"])
+def test_another_vector(name, i):
     """An entry that is larger by a tenth, or negative."""
     old = int(CHAOS["hints"][name][i])
-    rejected(changed(CHAOS, "hints", name, i, str(old * 11 // 10)), why)
+    rejected(changed(CHAOS, "hints", name, i, str(old * 11 // 10)), "may not grow")
     rejected(changed(CHAOS, "hints", name, i, str(-old)), "negative somewhere")
 
 
@@ -137,7 +135,7 @@ def test_another_time(i):
     """A flight that lasts longer than claimed, and one that weighs more."""
     old = Fraction(CHAOS["hints"]["times"][i])
     rejected(changed(CHAOS, "hints", "times", i, str(old * 9 / 10)), "defined|longer")
-    rejected(changed(CHAOS, "hints", "times", i, str(old + Fraction(1, 1000))), "in time")
+    rejected(changed(CHAOS, "hints", "times", i, str(old + Fraction(1, 1000))), "may not grow")
 
 
 @pytest.mark.parametrize(
@@ -150,7 +148,7 @@ def test_another_time(i):
         (("hints", "times", 0), "1000001", "not between 0"),
         (("hints", "times"), ["20"], "not one time for each set"),
         (("hints", "timed_vector", 1), "1/2", "not a vector of integers"),
-        (("hints", "timed_vector"), ["1"], "not one time, and one entry"),
+        (("hints", "timed_vector"), ["1"], "has not one entry"),
         (("hints", "timed_vector"), ["0"] * 4, "or zero"),
         (("claims", "per_period"), "-1", "not positive"),
         (("claims", "per_period"), "1/7", "15 places"),
@@ -219,32 +217,13 @@ def test_pieces_of_flights_are_limited(monkeypatch):
     rejected(given, "defined|pieces")
 
 
-# exponentials
-
-
-@pytest.mark.parametrize("x", ["0", "1/1000", "1", "8/3", "63.9"])
-def test_exponentials_from_above(x):
-    """By less than 10^-15 of them."""
-    value = exp_above(Fraction(x))
-    known = math.exp(Fraction(x))
-    assert known * (1 - 1e-14) <= value / FINE <= known * (1 + 1e-14)
-    assert value >= FINE * sum(Fraction(x) ** n / math.factorial(n) for n in range(60))
-
-
-@pytest.mark.parametrize("x", ["-1", "65"])
-def test_exponents_are_limited(x):
-    """Others are rejected."""
-    with pytest.raises(Rejected, match="exponent"):
-        exp_above(Fraction(x))
-
-
 def test_growth_in_time():
     """Of a full shift with the times 1 and 2: e^-s + e^-2s = 1 for the golden ratio."""
     edges, rate = [[0, 1], [0, 1]], Fraction(math.log((1 + math.sqrt(5)) / 2))
     times = [Fraction(1), Fraction(2)]
     vector = [int(10**15 * math.exp(-rate * tau)) for tau in times]
     confirm_timed(edges, vector, rate - Fraction(1, 10**12), times)
-    with pytest.raises(Rejected, match="in time"):
+    with pytest.raises(Rejected, match="grow"):
         confirm_timed(edges, vector, rate + Fraction(1, 10**12), times)
 
 
@@ -275,5 +254,5 @@ def test_a_unit_more_than_stored(name, claim):
     else:
         vector = [int(v) for v in hints["timed_vector"]]
         times = [Fraction(tau) for tau in hints["times"]]
-        with pytest.raises(Rejected, match="in time"):
+        with pytest.raises(Rejected, match="grow"):
             confirm_timed(edges, vector, more / Fraction(2 * math.pi), times)

@@ -6,15 +6,16 @@ Oracles: mpmath's plain numbers and python-flint's balls at a much higher precis
 from __future__ import annotations
 
 from fractions import Fraction
+from math import factorial
 
 import flint
 import pytest
 from mpmath import mp
 from support import rounds, seeded
 
-from cap.checker.flow.exponential import phi
 from cap.checker.kernel.arctangent import _arctan, arccos, pi
 from cap.checker.kernel.elementary import _cos_sin_at, _sine_series, cos_sin
+from cap.checker.kernel.exponential import exp, phi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from checker.intervals import BITS, contains, some_interval
@@ -211,6 +212,16 @@ def test_tiny_arguments(bits, n):
             holds(phi(order, Interval(n, n, bits), k), phi(order, point(n, bits, 400), k))
     for few, many in zip(cos_sin(Interval(n, n, bits)), cos_sin(point(n, bits, 400)), strict=True):
         holds(few, many)
+
+
+@pytest.mark.parametrize("x", ["-3", "0", "1/1000", "1", "8/3", "63.9"])
+def test_the_exponential_of_a_fraction(x):
+    """To seventy digits; beyond 200 it is rejected."""
+    x = Fraction(x)
+    found, known = exp(x), sum(x**n / factorial(n) for n in range(400))
+    assert found.lower <= known <= found.upper <= found.lower + known / 10**70
+    with pytest.raises(Rejected, match="exponent"):
+        exp(x + (x >= 0 or -1) * 201)
 
 
 def test_the_error_bounds_that_the_text_states():

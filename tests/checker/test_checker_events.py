@@ -9,8 +9,8 @@ from mpmath import mp, mpf
 from support import rational, seeded
 
 from cap.checker.flow.events import WORDS, LossyMap
-from cap.checker.flow.exponential import phi
 from cap.checker.flow.losses import Lossy as Mechanics
+from cap.checker.kernel.exponential import phi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Jet
 from cap.checker.kernel.rejection import Rejected

@@ -8,7 +8,7 @@ import pytest
 from support import rounds, seeded
 
 from cap.checker.kernel.arctangent import pi
-from cap.checker.kernel.fourier import Circle, Function, exp_above, product, root
+from cap.checker.kernel.fourier import Circle, Function, product, root
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.tori.invariant_curve import Shift
@@ -155,11 +155,3 @@ def test_inverse_and_root():
         u.derivative()
     with pytest.raises(Rejected, match="too many"):
         Function(CIRCLE, [(0, 0)] * 99, 0)
-
-
-def test_the_exponential():
-    """It is above, and near."""
-    for x in (Fraction(0), Fraction(1, 7), Fraction(1)):
-        assert 0 <= float(exp_above(x)) - math.exp(x) < 1e-14
-    with pytest.raises(Rejected):
-        exp_above(Fraction(2))

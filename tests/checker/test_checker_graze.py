@@ -17,6 +17,7 @@ from cap.checker.kernel.rejection import Rejected
 from cap.checker.system.contacts import Equations, Round
 from cap.checker.system.curve import Curve, Line, exact
 from cap.checker.system.graze import drift, inside, sign, turns
+from cap.checker.system.legs import Leg
 from cap.checker.system.passage import Contact
 from cap.checker.system.polynomial import Polynomial, variable
 from cap.checker.system.quiet import Watched, stays_positive
@@ -158,13 +159,13 @@ def other_end(given):
 LIES = {
     "hints left out": (lambda given: given["hints"].update(grazes=[]), "are not those of claims"),
     "claims left out": (lambda given: given["claims"].update(grazes=[]), "are not those of claims"),
-    "no cell": (of("claims", "cell", "999"), "graze 0 is on no cell"),
+    "no cell": (of("claims", "cell", "999"), r"grazes\[0\] is on no cell"),
     "a far cell": (far_cell, "is not certain to be one curve with its cell"),
     "no leg": (of("claims", "leg", "3"), "a graze is on no leg"),
     "the other leg": (of("claims", "leg", "2"), "a window|the window|a guard"),
     "the other guard": (of("claims", "guard", "bottom"), "a guard may vanish near 0.8059"),
-    "no such guard": (of("claims", "guard", "side"), "no cuts of the guard that is grazed"),
-    "no cuts": (cut_off, "no cuts of the guard that is grazed"),
+    "no such guard": (of("claims", "guard", "side"), "no such guard to be grazed"),
+    "no cuts": (cut_off, "no cuts of a guard with a window"),
     "no window": (no_window, "the window is none of the pieces of its leg"),
     "a window in the other order": (
         lambda given: given["claims"]["grazes"][0]["window"].reverse(),
@@ -211,19 +212,19 @@ def test_lies(what):
 @pytest.mark.parametrize(
     ("name", "value", "reason"),
     [
-        ("sign", lambda *_: 0, "graze 0: the guard is not certain to touch zero"),
-        ("sign", lambda *_: 1, "graze 0: the guard is not certain to touch zero"),
+        ("sign", lambda *_: 0, r"grazes\[0\]: what comes to 0 may not change its sign"),
+        ("sign", lambda *_: 1, r"grazes\[0\]: what comes to 0 may not change its sign"),
         (
             "drift",
             lambda *_: Interval.enclosing(-1, 1, 96),
-            "the least value of a guard may not be monotone",
+            "what comes to 0 may not be monotone",
         ),
     ],
 )
 def test_what_is_needed_of_the_least_value(monkeypatch, name, value, reason):
     """It changes its sign, and is monotone."""
     given = certificate("graze")
-    monkeypatch.setattr(f"cap.checker.theorems.contacts_branch.{name}", value)
+    monkeypatch.setattr(f"cap.checker.system.graze.{name}", value)
     rejected(given, reason)
 
 
@@ -231,7 +232,7 @@ def test_a_graze_beside_its_piece(monkeypatch):
     """The short cell lies on the piece."""
     given, theorem = certificate("graze"), "cap.checker.theorems.contacts_branch.ContactsBranch"
     monkeypatch.setattr(f"{theorem}.lies", lambda *_: False)
-    rejected(given, "graze 0 is not certain to be on its piece")
+    rejected(given, r"grazes\[0\] is not certain to be on its piece")
 
 
 # parts
@@ -302,7 +303,9 @@ def test_how_a_value_changes_without_a_clock():
         change, values = drift(curve, cell.box, rates, 0, late, variable(z)), []
         for s in cell.line.ends:
             w = cell.at(s)
-            leg = given.flights(curve, curve.expanded(w), curve.steps(w)[0], 0)
+            after = dict(zip(given.p.state, curve.steps(w)[0].after, strict=True))
+            start = curve.equations.start(curve.expanded(w), 0)
+            leg = Leg(given.p, given.orbit.flown(0), start, after)
             values.append(leg.over(variable(z), late))
         between = (values[1] - values[0]) / exact(cell.line.ends[1] - cell.line.ends[0], late)
         assert change.lower <= between.lower

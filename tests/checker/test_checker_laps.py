@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from fractions import Fraction
 from itertools import pairwise, product
 
@@ -48,18 +47,6 @@ def test_the_order_of_sharkovsky():
     assert listed[11:] == [6, 10, 14, 18, 22, 12, 20, 24, 16, 8, 4, 2, 1]
 
 
-def test_growth():
-    """Of the golden mean; a little more is not proved, nor with a vector of no use."""
-    vector = [1000000000, 1618033989]
-    laps.confirm_growth(GOLDEN, vector, ROOT)
-    for v, s in ((vector, ROOT + Fraction(2, 10**9)), (vector[::-1], ROOT)):
-        with pytest.raises(Rejected, match="may not grow"):
-            laps.confirm_growth(GOLDEN, v, s)
-    for v in ([0, 0], [-1, 1]):
-        with pytest.raises(Rejected, match="negative somewhere, or zero"):
-            laps.confirm_growth(GOLDEN, v, ROOT)
-
-
 def test_the_bound():
     """The same from above; two laps count twice; weights are positive."""
     weights = [1000000000, 1618033989]
@@ -69,12 +56,3 @@ def test_the_bound():
             laps.confirm_bound(GOLDEN, turns, weights, bound)
     with pytest.raises(Rejected, match="not positive"):
         laps.confirm_bound([range(0), range(2)], [1, 1], [0, 1], Fraction(2))
-
-
-@pytest.mark.parametrize("x", ["0", "1/1000", "1", "8/3", "20"])
-def test_exponentials(x):
-    """From below and above, and near."""
-    x = Fraction(x)
-    low, high = laps.exp_below(x), laps.exp_above(x)
-    assert low <= high <= low * (1 + Fraction(1, 10**9))
-    assert float(low) == pytest.approx(math.exp(x), rel=1e-9)

@@ -58,8 +58,8 @@ def test_sets_that_overlap():
     rejected(given, "covered by none")
     given["hints"]["coverings"][0] = ["1", "2"]
     rejected(given, "diamond")
-    given["hints"]["coverings"] = [["1"], ["2"], ["0"]]
-    given["hints"]["vector"] = ["1", "1", "1"]
+    given["hints"] |= {"coverings": [["0", "1"], ["2"], ["0"]], "vector": ["20", "10", "14"]}
+    given["claims"] |= {"growth": "7/5", "entropy": "0.33"}
     line = words(check(encode(given), lambda _: None))
     assert "without diamonds" in line
     assert "of g^n" not in line

@@ -3,6 +3,7 @@
 import re
 import shlex
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -21,7 +22,7 @@ from cap.floats.models.resting import resting
 from cap.floats.models.samples import exponents
 from cap.floats.models.subject import Subject
 from cap.floats.models.walls import walls
-from cap.pictures import model_states
+from cap.pictures import model_states, models
 from cap.system.files import load as load_model
 from cap.system.files import load as read_model
 
@@ -190,6 +191,21 @@ def test_a_portrait(capsys, tmp_path):
     states = load(out[0])["states"]
     assert states.shape == (5, 4, 2)
     assert states == pytest.approx(np.tile([0.073717988, 0.711477683], (5, 4, 1)))
+
+
+def test_names_of_velocities_are_above_their_curves():
+    """Two of them share a panel, whose legend covers no curve, low as the panel is."""
+    t = np.linspace(0, 1, 50)
+    states = np.stack([np.cos(6 * t), np.sin(6 * t)], axis=1)
+    none = np.zeros(0)
+    given = {"t": t, "states": states, "state": ("v", "w"), "words": none, "walls": ()}
+    findings = SimpleNamespace(**given, autonomous=True)
+    figure = Figure(figsize=(4, 1.8), layout="constrained")
+    axes = figure.subplots()
+    models._row(axes, findings, ("v", "w"), last=True)
+    figure.draw_without_rendering()
+    low = axes.get_legend().get_window_extent().y0
+    assert axes.transData.inverted().transform((0, low))[1] > states.max()
 
 
 def test_a_portrait_of_one_state_is_not_one_of_rounding():

@@ -1,6 +1,7 @@
 """Compiled: the fate of states that are in a basin of `cap.checker.folded.basins`."""
 
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,17 +79,23 @@ def _of_models(row: Floats, p: Model, s: Model) -> Pair:
 
 
 @kernel
-def fate_of_lines(known: Basins, k: int, p: Line, s: Line) -> int:
-    """Return the fate of the states of lines at a multiple k pi, if it is known, or 0."""
-    if k % 2 == 0:
+def _fate(of: Callable[..., Pair], known: Basins, k: int, between: bool, p: Any, s: Any) -> int:
+    """Return the fate of states at a multiple k pi, if it is known, or 0; ``of`` gives bounds."""
+    if between and k % 2 == 0:
         for rows in known.strips:
-            first, second = _of_lines(rows[0], p, s), _of_lines(rows[1], p, s)
-            if _in_strip(rows, first, second, _of_lines(rows[2], p, s)):
+            first, second = of(rows[0], p, s), of(rows[1], p, s)
+            if _in_strip(rows, first, second, of(rows[2], p, s)):
                 return SEGMENT
     for rows in known.odd if k % 2 == 1 else known.ellipses:
-        if _in_ellipse(rows, _of_lines(rows[0], p, s), _of_lines(rows[1], p, s)):
+        if _in_ellipse(rows, of(rows[0], p, s), of(rows[1], p, s)):
             return ATTRACTOR
     return NONE
+
+
+@kernel
+def fate_of_lines(known: Basins, k: int, p: Line, s: Line) -> int:
+    """Return the fate of the states of lines at a multiple k pi, if it is known, or 0."""
+    return _fate(_of_lines, known, k, True, p, s)
 
 
 @kernel
@@ -97,12 +104,4 @@ def fate_of(known: Basins, k: int, between: bool, p: Model, s: Model) -> int:
 
     Strips are looked at between two stops.
     """
-    if between and k % 2 == 0:
-        for rows in known.strips:
-            first, second = _of_models(rows[0], p, s), _of_models(rows[1], p, s)
-            if _in_strip(rows, first, second, _of_models(rows[2], p, s)):
-                return SEGMENT
-    for rows in known.odd if k % 2 == 1 else known.ellipses:
-        if _in_ellipse(rows, _of_models(rows[0], p, s), _of_models(rows[1], p, s)):
-            return ATTRACTOR
-    return NONE
+    return _fate(_of_models, known, k, between, p, s)

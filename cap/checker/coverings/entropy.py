@@ -23,7 +23,6 @@ from cap.checker.coverings.cones import UNITS, Cone, Rates, carried, cone, rates
 from cap.checker.coverings.covering import Parallelogram, covers
 from cap.checker.coverings.graph import (
     confirm_entropy,
-    confirm_growth,
     confirm_no_diamond,
     confirm_paths,
     overlaps,
@@ -32,6 +31,7 @@ from cap.checker.coverings.orbits import LONGEST, MOST_ORBITS, confirm_orbits
 from cap.checker.coverings.planar import Matrix, Planar
 from cap.checker.kernel.citation import Citation, cite
 from cap.checker.kernel.decimals import decimal
+from cap.checker.kernel.growth import confirm_growth
 from cap.checker.kernel.optional import Maybe
 from cap.checker.kernel.processes import Work
 from cap.checker.kernel.reading import MAX_SIZE, number
@@ -140,8 +140,9 @@ class Coverings(Theorem):
         covered = partial(confirm_coverings, self.map(), sets, edges)
         boxes = work(covered, range(len(sets)), _CHECKED, weight)
         self.step(f"{count} coverings hold ({sum(boxes)} boxes)")
-        confirm_growth(edges, [int(v) for v in self.hints["vector"]], self.claims["growth"])
-        confirm_entropy(self.claims["entropy"], self.claims["growth"], self.ITERATES)
+        vector, growth = [int(v) for v in self.hints["vector"]], self.claims["growth"]
+        confirm_growth(edges, vector, [growth] * len(edges))
+        confirm_entropy(self.claims["entropy"], growth, self.ITERATES)
         self.step("the matrix of the coverings grows as claimed, and the entropy follows")
         if orbits := self.claims.get("orbits"):
             confirm_orbits(self.map(), sets, edges, orbits)

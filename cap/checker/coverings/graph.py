@@ -26,8 +26,6 @@ h >= lim (1/n) log |A^n| = log rho(A).  For the second part, let several closed 
 belong to one point (Lemma 2 of ``covering``).  At each time their sets have a common point, so they
 are equal or in O.  If two of them agreed at some time, they would also n later, and between they
 would have a diamond, or be equal.  So at the time 0 they are pairwise in O: at most mu.
-
-*Lemma 4* (Collatz, Wielandt).  If v >= 0 is not 0 and A v >= s v, then A^n v >= s^n v: rho(A) >= s.
 """
 
 from __future__ import annotations
@@ -36,10 +34,11 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from math import lcm
 
+from cap.checker.kernel.exponential import exp
+from cap.checker.kernel.growth import Edges
 from cap.checker.kernel.rejection import need
 
 Point = tuple[int, int]
-Edges = Sequence[Sequence[int]]
 MOST_PAIRS = 1 << 20
 
 
@@ -126,27 +125,8 @@ def confirm_no_diamond(edges: Edges, overlapping: Sequence[set[int]]) -> int:
     return len(seen)
 
 
-def confirm_growth(edges: Edges, vector: Sequence[int], growth: Fraction) -> None:
-    """Check that A v >= growth v, for a vector v >= 0 that is not 0."""
-    need(len(vector) == len(edges), "the vector has not one entry for each set")
-    need(min(vector) >= 0 and max(vector) > 0, "the vector is negative somewhere, or zero")
-    grows = all(
-        sum(vector[j] for j in targets) >= growth * v
-        for targets, v in zip(edges, vector, strict=True)
-    )
-    need(grows, "the matrix of the coverings does not grow as claimed")
-
-
 def confirm_entropy(entropy: Fraction, growth: Fraction, iterates: int) -> None:
-    """Check that entropy <= iterates log(growth): exp(entropy/iterates) <= growth.
-
-    The tail of the series of exp(y), 0 <= y < 1, after the term of degree n is below twice the
-    next term.
-    """
+    """Check that entropy <= iterates log(growth): exp(entropy/iterates) <= growth."""
     y = entropy / iterates
     need(0 <= y < 1, "the entropy claimed is not between 0 and the number of iterates")
-    term, total = Fraction(1), Fraction(1)
-    for n in range(1, 41):
-        term = term * y / n
-        total += term
-    need(total + 2 * term * y / 41 <= growth, "the entropy claimed is more than the growth shows")
+    need(exp(y).upper <= growth, "the entropy claimed is more than the growth shows")

@@ -7,7 +7,7 @@ t' - t, of the shift on these orbits.
 
 *Lemma 5.*  If v >= 0 is not 0 and A v >= exp(s tau_i) v, in each row i, s > 0, the entropy of the
 flow is at least s, per unit of time.  *Proof.*  Let B have the rows exp(-s tau_i) A_i.  B v >= v,
-so rho(B) >= 1 (Lemma 4 of ``graph``), which is that of a strong component, B w = rho w on it, w >
+so rho(B) >= 1 (``growth``), which is that of a strong component, B w = rho w on it, w >
 0.  The Markov measure m with the transitions B_ij w_j/(rho w_i) has the entropy
 
     h(m) = log rho + s (the mean of tau_i) >= s (the mean of tau_i).
@@ -27,39 +27,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from cap.checker.kernel.rejection import need
-
-FINE = 10**25  # the unit of bounds of exponentials
-TERMS = 40
+from cap.checker.kernel.exponential import exp
+from cap.checker.kernel.growth import Edges, confirm_growth
 
 
 def confirm_timed(
-    edges: Sequence[Sequence[int]], vector: Sequence[int], rate: Fraction, times: Sequence[Fraction]
+    edges: Edges, vector: Sequence[int], rate: Fraction, times: Sequence[Fraction]
 ) -> None:
     """Check that A v >= exp(rate tau_i) v, for a vector v >= 0 that is not 0."""
-    need(len(vector) == len(times) == len(edges), "not one time, and one entry, for each set")
-    need(min(vector) >= 0 and max(vector) > 0, "the timed vector is negative somewhere, or zero")
-    above = {tau: exp_above(rate * tau) for tau in set(times)}
-    grows = all(
-        FINE * sum(vector[j] for j in targets) >= above[tau] * v
-        for targets, v, tau in zip(edges, vector, times, strict=True)
-    )
-    need(grows, "the coverings do not grow in time as claimed")
-
-
-def exp_above(x: Fraction) -> int:
-    """Return a number above FINE exp(x), 0 <= x <= 64.
-
-    With z = x/2^k <= 1 the terms after the last one sum up to less than twice the next one; the sum
-    is squared k times.  Each step is rounded up.
-    """
-    need(0 <= x <= 64, "an exponent is not in [0, 64]")
-    k = max(0, (-(-x.numerator // x.denominator) - 1).bit_length())
-    z = -(-x.numerator * FINE // (x.denominator << k))
-    total, term = 0, FINE
-    for n in range(1, TERMS + 1):
-        total, term = total + term, -(-term * z // (FINE * n))
-    total += 2 * term
-    for _ in range(k):
-        total = -(-total * total // FINE)
-    return total
+    above = {tau: exp(rate * tau).upper for tau in set(times)}
+    confirm_growth(edges, vector, [above[tau] for tau in times])

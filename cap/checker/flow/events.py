@@ -11,12 +11,12 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from cap.checker.flow.capture import capture
-from cap.checker.flow.exponential import phi
 from cap.checker.flow.hits import HITS, Hit, hit
 from cap.checker.flow.itinerary import Passage, PeriodMap, limit_work, passage, work
 from cap.checker.flow.losses import Lossy
 from cap.checker.flow.mechanics import Box, Ends, Flight, Mechanics
 from cap.checker.flow.stops import Event, Rest, release, stick, turn
+from cap.checker.kernel.exponential import phi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected, need
 from cap.checker.kernel.shapes import Enclosure

@@ -52,9 +52,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from cap.checker.flow.exponential import phi
 from cap.checker.kernel.arctangent import arccos
 from cap.checker.kernel.elementary import cos_sin
+from cap.checker.kernel.exponential import phi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.system.walls import BetweenWalls

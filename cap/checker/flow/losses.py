@@ -15,9 +15,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from cap.checker.flow.exponential import phi
 from cap.checker.flow.laws import laws
 from cap.checker.flow.mechanics import Box, Ends, Flight, Formula, Mechanics, Moment
+from cap.checker.kernel.exponential import phi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, RealJet, lift
 from cap.checker.kernel.rejection import need

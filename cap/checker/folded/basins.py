@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 from cap.checker.folded.flights import Flight, Model
 from cap.checker.folded.motion import Direction
@@ -29,15 +29,23 @@ class Row(NamedTuple):
     high: float
 
 
+class Region(Protocol):
+    """States between rows: a strip of `cap.checker.attracting.segment`, an ellipse of ``sinks``."""
+
+    @property
+    def rows(self) -> tuple[Row, ...]:
+        """The rows that sums of its states are between."""
+
+    def contains(self, bounds: Bounds) -> bool:
+        """Return whether some states are in it."""
+
+
 class Basins(NamedTuple):
-    """What is known of basins: at even multiples of pi strips and ellipses, ellipses at ``odd``.
+    """What is known of basins: at even multiples of pi strips and ellipses, ellipses at ``odd``."""
 
-    The strips are those of `cap.checker.attracting.segment`, the ellipses of ``sinks``.
-    """
-
-    strips: tuple[Any, ...] = ()
-    ellipses: tuple[Any, ...] = ()
-    odd: tuple[Any, ...] = ()
+    strips: tuple[Region, ...] = ()
+    ellipses: tuple[Region, ...] = ()
+    odd: tuple[Region, ...] = ()
 
     def fate(self, k: int, bounds: Bounds) -> int:
         """Return the fate of states at a multiple k pi, if it is known, or 0."""

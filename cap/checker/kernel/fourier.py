@@ -23,26 +23,17 @@ from functools import cached_property
 from math import isqrt
 
 from cap.checker.kernel.elementary import cos_sin
+from cap.checker.kernel.exponential import exp
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 
 EXACTLY = Context(prec=MAX_PREC, Emax=MAX_EMAX, Emin=MIN_EMIN, traps=[Inexact, Rounded])
 FINE = 10**20  # the unit of weights
-TERMS = 30
 
 
 def ceiling(a: int, b: int) -> int:
     """Return the least integer at least a/b."""
     return -(-a // b)
-
-
-def exp_above(x: Fraction) -> Fraction:
-    """Return a number above exp(x), 0 <= x <= 1: the series, and twice its first term left out."""
-    need(0 <= x <= 1, "an exponent is not in [0, 1]")
-    total, term = Fraction(0), Fraction(1)
-    for n in range(1, TERMS + 1):
-        total, term = total + term, term * x / n
-    return total + 2 * term
 
 
 class Circle:
@@ -51,7 +42,7 @@ class Circle:
     def __init__(self, degree: int, rho: Fraction, places: int) -> None:
         self.degree, self.rho, self.unit = degree, rho, 10**places
         self.bits = places * 10 // 3 + 32  # of intervals that are as sharp as coefficients
-        growth = exp_above(rho)
+        growth = exp(rho).upper
         step, weight = ceiling(growth.numerator * FINE, growth.denominator), FINE
         self.weights = list[int]()  # above exp(rho k) FINE, k <= 2 degree
         for _ in range(2 * degree + 1):

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from cap.checker.flow.exponential import phi
 from cap.checker.flow.mechanics import Ends
+from cap.checker.kernel.exponential import phi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
 from cap.checker.kernel.rejection import need

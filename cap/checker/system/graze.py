@@ -17,7 +17,9 @@ vanishes for one s of the cell, which lies in the short one.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from fractions import Fraction
+from typing import Any
 
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
@@ -26,7 +28,9 @@ from cap.checker.system.evaluation import Values
 from cap.checker.system.legs import Leg, dot
 from cap.checker.system.model import CLOCK, PI
 from cap.checker.system.polynomial import Polynomial
-from cap.checker.system.quiet import Watched
+from cap.checker.system.quiet import Watched, watched
+
+Ends = tuple[Fraction, Fraction]
 
 
 def turns(flights: Leg, h: Watched, end: Interval, window: Interval) -> None:
@@ -72,13 +76,59 @@ def drift(curve: Curve, box: Box, rates: Box, k: int, window: Interval, h: Polyn
     return dot(gradient, [dot(x.derivatives(n + 2)[:-1], by) for x in step.arrival])
 
 
-def window(ends: tuple[Fraction, Fraction], bits: int) -> Interval:
-    """Return a window."""
-    need(ends[0] < ends[1], "the ends of a window are not in order")
-    return Interval.enclosing(*ends, bits)
-
-
 def _ends(window: Interval) -> tuple[Interval, Interval]:
     """Return the ends of a window."""
     lo, hi, bits = window.lo, window.hi, window.bits
     return Interval(lo, lo, bits), Interval(hi, hi, bits)
+
+
+class Graze:
+    """The least value of a guard in a window of times, on the j-th leg of the orbits of a curve."""
+
+    def __init__(self, curve: Curve, j: int, guard: str, ends: Ends) -> None:
+        self.curve, self.j, self.guard, self.ends = curve, j, guard, ends
+        model, orbit = curve.equations.model, curve.equations.orbit
+        need(j < len(orbit.contacts), "a graze is on no leg")
+        guards = watched(model, orbit.flown(j))
+        need(guard in guards, "there is no such guard to be grazed")
+        need(ends[0] < ends[1], "the ends of a window are not in order")
+        self.h, self.window = guards[guard], Interval.enclosing(*ends, curve.equations.bits)
+
+    @classmethod
+    def of(cls, curve: Curve, end: Mapping[str, Any]) -> Graze:
+        """Return that of a certificate."""
+        return cls(curve, end["leg"] - 1, end["guard"], end["window"])
+
+    def given(self, j: int) -> dict[str, Any]:
+        """Return where on the j-th leg a guard may vanish."""
+        return {"windows": {self.guard: self.window}} if j == self.j else {}
+
+    def confirm(self, w: Box) -> None:
+        """Prove that there is one least value in the window, over a box of zeros."""
+        end = self.curve.equations.end(self.curve.expanded(w), self.j)
+        turns(self._flights(w), self.h, end, self.window)
+
+    def change(self, w: Box, rates: Box) -> Interval:
+        """Return m' over a box of zeros, where ``rates`` is w'."""
+        return drift(self.curve, w, rates, self.j, self.window, self.h.h)
+
+    def short(self, curve: Curve, hints: Mapping[str, Any]) -> Graze:
+        """Return the same on a short cell, in a narrow window."""
+        (a, b), (c, d) = self.ends, hints["narrow"]
+        need(a <= c and d <= b, "the narrow window of a graze is not in its window")
+        return Graze(curve, self.j, self.guard, (c, d))
+
+    def time(self, w: Box) -> Interval:
+        """Prove that the least value is taken in the window; return this."""
+        inside(self._flights(w), self.h, self.window)
+        return self.window
+
+    def sign(self, w: Box) -> int:
+        """Return the sign of m, or 0 if it is not certain."""
+        return sign(self._flights(w), self.h, self.window)
+
+    def _flights(self, w: Box) -> Leg:
+        equations, z = self.curve.equations, self.curve.expanded(w)
+        after = dict(zip(equations.model.state, equations.steps(z)[self.j].after, strict=True))
+        orbit = equations.orbit
+        return Leg(equations.model, orbit.flown(self.j), equations.start(z, self.j), after)

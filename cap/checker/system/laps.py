@@ -12,8 +12,8 @@ neighbours are, as images are in order.  So k <= 1 + m |I|/r: at most C S^m (1 +
 I are apart.
 
 *From below.*  J covers K, if K lies in the interior between the images of the ends of J; A is the
-matrix of the coverings.  If A v >= s v for an integer vector v >= 0 that is not 0, the spectral
-radius of A is at least s (Collatz, Wielandt), and the entropy at least log s.  *Proof.*  An
+matrix of the coverings.  If its spectral radius is at least s (``growth``), the entropy is at least
+log s.  *Proof.*  An
 interval K in the interior between the images of the ends of J is the image of an interval whose
 ends are taken to those of K, so it lies in the interior of J.  Hence for a path of m coverings
 there is an interval which G^i takes into the interior of the i-th cell for i < m, and G^m onto the
@@ -36,10 +36,10 @@ from collections.abc import Sequence
 from fractions import Fraction
 from itertools import accumulate
 
+from cap.checker.kernel.exponential import exp
 from cap.checker.kernel.rejection import need
 
 Edges = Sequence[range]  # for each cell the cells that follow
-TERMS = 60  # of the series of an exponential
 PATHS = 1 << 22  # the longest closed paths times the cells squared
 
 
@@ -47,13 +47,6 @@ def sums(edges: Edges, vector: Sequence[int]) -> list[int]:
     """Return the vector, summed over the cells that follow each."""
     before = [0, *accumulate(vector)]
     return [before[e.stop] - before[e.start] for e in edges]
-
-
-def confirm_growth(covered: Edges, vector: Sequence[int], growth: Fraction) -> None:
-    """Check that A v >= s v for a vector v >= 0 that is not 0."""
-    need(min(vector) >= 0 and max(vector) > 0, "the vector is negative somewhere, or zero")
-    pairs = zip(sums(covered, vector), vector, strict=True)
-    need(all(x >= growth * v for x, v in pairs), "A may not grow as claimed")
 
 
 def confirm_bound(met: Edges, laps: Sequence[int], weights: Sequence[int], bound: Fraction) -> None:
@@ -66,8 +59,8 @@ def confirm_bound(met: Edges, laps: Sequence[int], weights: Sequence[int], bound
 def confirm_logarithms(low: Fraction, high: Fraction, growth: Fraction, bound: Fraction) -> None:
     """Check that log s and log S are between two numbers, 0 < low <= high < 64."""
     need(0 < low <= high < 64, "the entropy claimed is not between 0 and 64")
-    need(exp_above(low) <= growth, "the entropy may be below its lower bound")
-    need(bound <= exp_below(high), "the entropy may be above its upper bound")
+    need(exp(low).upper <= growth, "the entropy may be below its lower bound")
+    need(bound <= exp(high).lower, "the entropy may be above its upper bound")
 
 
 def closed_paths(covered: Edges, longest: int, most: int = PATHS) -> list[int]:
@@ -104,25 +97,3 @@ def rank(period: int) -> tuple[int, int]:
     twos = (period & -period).bit_length() - 1
     odd = period >> twos
     return (twos, odd) if odd > 1 else (1 << 16, -twos)
-
-
-def exp_below(x: Fraction) -> Fraction:
-    """Return a number at most exp(x), x >= 0: the beginning of its series."""
-    total = term = Fraction(1)
-    for n in range(1, TERMS):
-        term = term * x / n
-        total += term
-    return total
-
-
-def exp_above(x: Fraction) -> Fraction:
-    """Return a number at least exp(x), 0 <= x < 64.
-
-    For z = x/64 < 1 the terms from z^n/n! on sum up to less than twice it.
-    """
-    z = x / 64
-    total = term = Fraction(1)
-    for n in range(1, TERMS // 2):
-        term = term * z / n
-        total += term
-    return (total + term) ** 64

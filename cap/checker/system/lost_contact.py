@@ -21,6 +21,9 @@ negative just before, so that this is no orbit.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected, need
 from cap.checker.system.curve import Box, Curve
@@ -39,9 +42,19 @@ class LostContact:
         self.curve, self.k = curve, k
         self.equations = curve.equations
         orbit, self.model = self.equations.orbit, self.equations.model
+        need(k < len(orbit.contacts), "there is no such contact to be lost")
         self.contact: Contact = orbit.contacts[k]
         need(not orbit.is_moved(k), "after a contact that is lost a symmetry moves the flight")
         self.h = watched(self.model, self.contact.mode)[self.contact.guard]
+
+    @classmethod
+    def of(cls, curve: Curve, end: Mapping[str, Any]) -> LostContact:
+        """Return that of a certificate."""
+        return cls(curve, end["contact"] - 1)
+
+    def given(self, _j: int) -> dict[str, Any]:
+        """Return what is given of a leg: the contact."""
+        return {"lost": self.k}
 
     def confirm(self, w: Box) -> None:
         """Prove what is needed of the reset, over a box of zeros."""
@@ -74,6 +87,15 @@ class LostContact:
         gradient = [by_time * omega, *(rate.derivative(z) for z in self.model.state)]
         by = moved[here : here + self.equations.n + 1]
         return dot([self._of(w, q) for q in gradient], by)
+
+    def short(self, curve: Curve, _hints: Mapping[str, Any]) -> LostContact:
+        """Return the same on a short cell."""
+        return LostContact(curve, self.k)
+
+    def sign(self, w: Box) -> int:
+        """Return the sign of -u, or 0 if it is not certain."""
+        u = self.speed(w)
+        return 1 if (-u).is_positive() else -1 if u.is_positive() else 0
 
     def time(self, w: Box) -> Interval:
         """Return the time of the contact."""

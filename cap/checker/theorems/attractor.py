@@ -45,9 +45,9 @@ from fractions import Fraction
 from typing import Any, ClassVar, NamedTuple
 
 from cap.checker.flow.events import WORDS, LossyMap
-from cap.checker.flow.exponential import phi
 from cap.checker.flow.mechanics import Ends
 from cap.checker.kernel.decimals import decimal
+from cap.checker.kernel.exponential import phi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
 from cap.checker.kernel.letters import Letters

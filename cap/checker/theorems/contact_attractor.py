@@ -46,6 +46,7 @@ from typing import Any, ClassVar
 
 from cap.checker.kernel.citation import cite
 from cap.checker.kernel.decimals import decimal
+from cap.checker.kernel.growth import confirm_growth
 from cap.checker.kernel.integers import Integer
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.named import name
@@ -58,7 +59,6 @@ from cap.checker.system.given import printed, told
 from cap.checker.system.laps import (
     closed_paths,
     confirm_bound,
-    confirm_growth,
     confirm_logarithms,
     orbits,
     rank,
@@ -205,7 +205,7 @@ class ContactAttractor(OwnSystem):
         """Prove the bounds of the entropy."""
         growth, laps = self.claims["growth"], self.claims["laps"]
         need(growth > 1, "claims.growth is not above 1")
-        confirm_growth(self.covered_cells, self.hints["vector"], growth)
+        confirm_growth(self.covered_cells, self.hints["vector"], [growth] * len(self.cells))
         self.step("the matrix of coverings grows as claimed")
         confirm_bound(self.met, confirm_laps(self.cells), self.hints["weights"], laps)
         self.step("the matrix of laps grows no faster than claimed")

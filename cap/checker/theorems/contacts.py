@@ -247,6 +247,7 @@ class Contacts(OwnSystem):
         start, end = self.equations.start(zero, k), self.equations.end(zero, k)
         need(start.is_before(end), f"leg {k + 1}: the contacts are not in order")
         need(cuts.keys() <= guards.keys(), f"leg {k + 1}: cuts of a guard that its mode has not")
+        need(windows is None or windows.keys() <= cuts.keys(), "no cuts of a guard with a window")
         after = dict(zip(self.p.state, step.after, strict=True))
         flights = Leg(self.p, mode, start, after)
         for key, h in guards.items():

@@ -33,6 +33,7 @@ are their squares.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any, ClassVar
@@ -51,13 +52,19 @@ from cap.checker.system.curve import Cell, Curve, Line
 from cap.checker.system.curve_multipliers import counts, happens
 from cap.checker.system.curve_sentence import Sentence
 from cap.checker.system.given import GUARDS, MODES, STATES
-from cap.checker.system.graze import drift, inside, sign, turns, window
-from cap.checker.system.legs import Leg
+from cap.checker.system.graze import Graze
 from cap.checker.system.lost_contact import LostContact
-from cap.checker.system.passage import Contact, Step
-from cap.checker.system.quiet import watched
+from cap.checker.system.passage import Contact
 from cap.checker.system.symmetry import Symmetry
-from cap.checker.theorems.contacts import CONTACTS, CUTS, MOST_BITS, PERIODS, UNKNOWNS, Contacts
+from cap.checker.theorems.contacts import (
+    CONTACTS,
+    CUTS,
+    MOST_BITS,
+    PERIODS,
+    UNKNOWNS,
+    Contacts,
+    Cuts,
+)
 
 CELLS, POINTS, GRAZES = 5000, 100, 2
 WORK, EQUATIONS = 1 << 24, 1 << 24
@@ -71,33 +78,29 @@ _CELL = {
     "reach": _ROW,
     "outside": Maybe(Whole(0, STATES)),
 }
+_SHORT = {key: shape for key, shape in _CELL.items() if key != "outside"}
 _POINT = {
     "kind": Word(("flip", "pair", "fold")),
     "cell": Whole(0, CELLS),
-    "short": {key: _CELL[key] for key in ("along", "ends", "centre", "slope", "reach")},
+    "short": _SHORT,
     "at": Quantity(),
     "outside": Maybe([Whole(0, STATES), Whole(0, STATES)]),
 }
 _MATRIX = Many(Many(Integer(40), 2, UNKNOWNS), 2, UNKNOWNS)
 _LEGS = Many(Named(Many(number, 0, CUTS), GUARDS), 1, CONTACTS)
-_GRAZE = {
-    "cell": Whole(0, CELLS),
-    "piece": _POINT["short"],
-    "leg": Whole(1, CONTACTS),
-    "guard": name,
-    "window": [number, number],
-    "short": _POINT["short"],
-    "at": Quantity(),
-    "time": Quantity(),
-}
-_LOST = {
-    "cell": Whole(0, CELLS),
-    "piece": _POINT["short"],
-    "contact": Whole(1, CONTACTS),
-    "short": _POINT["short"],
-    "at": Quantity(),
-    "time": Quantity(),
-}
+_FIRST = {"cell": Whole(0, CELLS), "piece": _SHORT}
+_LAST = {"short": _SHORT, "at": Quantity(), "time": Quantity()}
+_LEG = {"leg": Whole(1, CONTACTS), "guard": name, "window": [number, number]}
+_GRAZE = {**_FIRST, **_LEG, **_LAST}
+_LOST = {**_FIRST, "contact": Whole(1, CONTACTS), **_LAST}
+
+
+End = Graze | LostContact
+ENDS: dict[str, tuple[type[End], str]] = {
+    "grazes": (Graze, "at a graze the guard touches zero, and until there nothing else happens"),
+    "lost": (LostContact, "a contact is lost where its speed is 0, and until there nothing else "
+                          "happens"),
+}  # fmt: skip
 
 
 class ContactsBranch(Contacts):
@@ -199,7 +202,7 @@ class ContactsBranch(Contacts):
         self.step("on each leg all guards of its mode are positive between the contacts")
         self.counted(e)
         self.fine = Curve(Equations(self.orbit, self.hints["fine"]))
-        self.reaches(self.points(), [*self.grazes(), *self.lost()])
+        self.reaches(self.points(), [*self.ends("grazes"), *self.ends("lost")])
 
     def symmetry(self) -> Symmetry | None:
         """Return the symmetry that is claimed; it leaves the parameter as it is."""
@@ -240,15 +243,15 @@ class ContactsBranch(Contacts):
 
     def points(self) -> list[Cell]:
         """Prove what happens at the points; return their short cells."""
-        fine, found = self.fine, list[Cell]()
-        for k, (point, C) in enumerate(
-            zip(self.claims["points"], self.hints["points"], strict=True)
-        ):
+        found = list[Cell]()
+        given = zip(self.claims["points"], self.hints["points"], strict=True)
+        for k, (point, C) in enumerate(given):
             need(point["cell"] < len(self.cells), f"point {k} is on no cell")
-            short, on = fine.cell(Line.of(point["short"]), C), self.cells[point["cell"]]
-            need(self.lies(short, on), f"point {k} is not certain to be on its cell")
+            short = self.fine.cell(Line.of(point["short"]), C)
+            on = self.lies(short, self.cells[point["cell"]])
+            need(on, f"point {k} is not certain to be on its cell")
             self.compare(f"points[{k}].at", point["at"], short.box[-1])
-            happens(k, point, fine, short)
+            happens(k, point, self.fine, short)
             found.append(short)
         self.step("each point lies on its cell, and what is claimed happens there")
         return found
@@ -263,94 +266,39 @@ class ContactsBranch(Contacts):
         ends = [(s, [x.with_bits(bits) for x in short.at(s)]) for s in short.line.ends]
         return all(on.holds(short.line, s, w) for s, w in ends)
 
-    def grazes(self) -> list[tuple[Cell, Fraction]]:
-        """Prove where orbits graze; return the short cells, with their ends that are orbits."""
-        found = list[tuple[Cell, Fraction]]()
-        for k, graze in enumerate(self.claims["grazes"]):
-            hints, where = self.hints["grazes"][k], f"graze {k}"
-            piece = self.piece(where, graze, hints)
-            self.approaches(graze, hints["cuts"], piece)
-            short = self.fine.cell(Line.of(graze["short"]), hints["short"])
+    def ends(self, key: str) -> Iterator[tuple[Cell, Fraction]]:
+        """Prove where orbits graze, or a contact is lost.
+
+        Give the short cells, with their ends that are orbits.
+        """
+        kind, told = ENDS[key]
+        for k, end in enumerate(self.claims.get(key, ())):
+            hints, where, last = self.hints[key][k], f"{key}[{k}]", kind.of(self.curve, end)
+            need(end["cell"] < len(self.cells), f"{where} is on no cell")
+            piece = self.curve.cell(Line.of(end["piece"]), hints["piece"])
+            joined = self.cells[end["cell"]].meets(piece)
+            need(joined, f"the piece of {where} is not certain to be one curve with its cell")
+            self.approaches(where, last, piece, hints["cuts"])
+            short, fine = (
+                self.fine.cell(Line.of(end["short"]), hints["short"]),
+                last.short(self.fine, hints),
+            )
             need(self.lies(short, piece), f"{where} is not certain to be on its piece")
-            self.compare(f"grazes[{k}].at", graze["at"], short.box[-1])
-            found.append((short, self.touch(k, graze, hints["narrow"], short)))
-        self.step(
-            "at each graze the guard touches zero, and on one side of it nothing else happens"
-        )
-        return found
+            self.compare(f"{where}.at", end["at"], short.box[-1])
+            self.compare(f"{where}.time", end["time"], fine.time(short.box))
+            signs = [fine.sign(short.at(s)) for s in short.line.ends]
+            need(sorted(signs) == [-1, 1], f"{where}: what comes to 0 may not change its sign")
+            yield short, short.line.ends[signs.index(1)]
+            self.step(told)
 
-    def piece(self, where: str, end: dict[str, Any], hints: dict[str, Any]) -> Cell:
-        """Prove that a piece goes on from one of the cells."""
-        need(end["cell"] < len(self.cells), f"{where} is on no cell")
-        piece = self.curve.cell(Line.of(end["piece"]), hints["piece"])
-        joined = self.cells[end["cell"]].meets(piece)
-        need(joined, f"the piece of {where} is not certain to be one curve with its cell")
-        return piece
-
-    def approaches(self, graze: dict[str, Any], cuts: Any, piece: Cell) -> None:
-        """Prove that on a piece one guard alone may vanish, whose least value is monotone."""
-        j, box = graze["leg"] - 1, piece.box
-        need(j < len(self.orbit.contacts), "a graze is on no leg")
-        steps, zeros = self.curve.steps(box), self.curve.expanded(box)
-        guards = watched(self.p, self.orbit.flown(j))
-        need(graze["guard"] in cuts[j], "there are no cuts of the guard that is grazed")
-        at = window(graze["window"], self.hints["bits"])
-        for i, each in enumerate(cuts):
-            self.leg(zeros, steps[i], i, each, {graze["guard"]: at} if i == j else None)
-        h = guards[graze["guard"]]
-        turns(self.flights(self.curve, zeros, steps[j], j), h, self.equations.end(zeros, j), at)
-        rates = self.curve.rates(steps, piece.line.along)
-        change = drift(self.curve, box, rates, j, at, h.h)
-        need(not change.contains_zero(), "the least value of a guard may not be monotone")
-
-    def touch(self, k: int, graze: dict[str, Any], ends: Any, short: Cell) -> Fraction:
-        """Prove that the guard touches zero on a short cell; return the end that is an orbit."""
-        (a, b), j, fine = graze["window"], graze["leg"] - 1, self.fine
-        need(a <= ends[0] and ends[1] <= b, f"the narrow window of graze {k} is not in its window")
-        narrow = window(ends, self.hints["fine"])
-        self.compare(f"grazes[{k}].time", graze["time"], narrow)
-        h, signs = watched(self.p, self.orbit.flown(j))[graze["guard"]], list[int]()
-        box = short.box
-        inside(self.flights(fine, fine.expanded(box), fine.steps(box)[j], j), h, narrow)
-        for s in short.line.ends:
-            w = short.at(s)
-            signs.append(sign(self.flights(fine, fine.expanded(w), fine.steps(w)[j], j), h, narrow))
-        need(sorted(signs) == [-1, 1], f"graze {k}: the guard is not certain to touch zero")
-        return short.line.ends[signs.index(1)]
-
-    def lost(self) -> list[tuple[Cell, Fraction]]:
-        """Prove where contacts are lost; return the short cells, and their ends that are orbits."""
-        found = list[tuple[Cell, Fraction]]()
-        for k, end in enumerate(self.claims.get("lost", ())):
-            hints, where, j = self.hints["lost"][k], f"lost {k}", end["contact"] - 1
-            need(j < len(self.orbit.contacts), "there is no such contact to be lost")
-            piece, contact = self.piece(where, end, hints), LostContact(self.curve, j)
-            steps, zeros = self.curve.steps(piece.box), self.curve.expanded(piece.box)
-            contact.confirm(piece.box)
-            for i, cuts in enumerate(hints["cuts"]):
-                self.leg(zeros, steps[i], i, cuts, lost=j)
-            change = contact.change(piece.box, self.curve.rates(steps, piece.line.along))
-            need(not change.contains_zero(), f"{where}: the speed may not be monotone")
-            short = self.fine.cell(Line.of(end["short"]), hints["short"])
-            need(self.lies(short, piece), f"{where} is not certain to be on its piece")
-            fine = LostContact(self.fine, j)
-            self.compare(f"lost[{k}].at", end["at"], short.box[-1])
-            self.compare(f"lost[{k}].time", end["time"], fine.time(short.box))
-            speeds = [fine.speed(short.at(s)) for s in short.line.ends]
-            falls = [(-u).is_positive() for u in speeds]
-            changes = sum(falls) == 1 and sum(u.is_positive() for u in speeds) == 1
-            need(changes, f"{where}: the speed is not certain to change its sign")
-            found.append((short, short.line.ends[falls.index(True)]))
-        if found:
-            self.step("at each contact that is lost the speed goes to 0, and until there nothing "
-                      "else happens")  # fmt: skip
-        return found
-
-    def flights(self, curve: Curve, zeros: list[Interval], step: Step, j: int) -> Leg:
-        """Return the flights of a leg."""
-        after = dict(zip(self.p.state, step.after, strict=True))
-        start = curve.equations.start(zeros, j)
-        return Leg(self.p, self.orbit.flown(j), start, after)
+    def approaches(self, where: str, last: End, piece: Cell, cuts: Sequence[Cuts]) -> None:
+        """Prove that on a piece nothing else happens, and what comes to 0 is monotone."""
+        steps, zeros = self.curve.steps(piece.box), self.curve.expanded(piece.box)
+        for j, each in enumerate(cuts):
+            self.leg(zeros, steps[j], j, each, **last.given(j))
+        last.confirm(piece.box)
+        change = last.change(piece.box, self.curve.rates(steps, piece.line.along))
+        need(not change.contains_zero(), f"{where}: what comes to 0 may not be monotone")
 
     def words(self) -> str:
         """Return the theorem in one line."""

@@ -23,7 +23,8 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from cap.checker.kernel.elementary import cos_sin
-from cap.checker.kernel.fourier import Circle, Function, ceiling, exp_above
+from cap.checker.kernel.exponential import exp
+from cap.checker.kernel.fourier import Circle, Function, ceiling
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 
@@ -153,7 +154,7 @@ def near(sizes: Sizes) -> Near:
 def bounds(sizes: Sizes, R_star: Interval, s_star: Interval) -> tuple[Interval, Interval]:
     """Return RK and s, if the other inequalities hold."""
     eps, l0, n0, d0, t0, tm, M, r, rho, small = sizes
-    e, delta, one = euler(eps.bits), rho / 7, eps.integer(1)
+    e, delta, one = exp(Fraction(1)).with_bits(eps.bits), rho / 7, eps.integer(1)
     ell, d = l0 + s_star, d0 + n0 * s_star * 2
     need((d * 2).hi <= one.lo, "d <= 1/2 may fail")
     n = n0 / (one - d)
@@ -176,15 +177,9 @@ def bounds(sizes: Sizes, R_star: Interval, s_star: Interval) -> tuple[Interval, 
     return Y * eps * 8 / (delta.square() * 7), Y * eps * 4 / (e * delta * delta.square() * 3)
 
 
-def euler(bits: int) -> Interval:
-    """Return an enclosure of e."""
-    above = exp_above(Fraction(1))
-    return Interval.enclosing(above - Fraction(1, 10**20), above, bits)
-
-
 def small_divisors(gamma: Fraction, bits: int) -> Interval:
     """Return 1/(4 e gamma)."""
     need(gamma > 0, "the Diophantine constant is not positive")
     return Interval.enclosing(1, 1, bits) / (
-        euler(bits) * Interval.enclosing(gamma, gamma, bits) * 4
+        exp(Fraction(1)).with_bits(bits) * Interval.enclosing(gamma, gamma, bits) * 4
     )

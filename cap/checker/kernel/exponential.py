@@ -18,10 +18,18 @@ is below (N + 2) 2^m.
 
 from __future__ import annotations
 
+from fractions import Fraction
 from math import factorial
 
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
+
+BITS = 256  # of the exponential of a fraction
+
+
+def exp(x: Fraction) -> Interval:
+    """Return an enclosure of the exponential at a point; rejects |x| > 200."""
+    return phi(0, Interval.enclosing(x, x, BITS))
 
 
 def phi(n: int, z: Interval, k: int = 0) -> Interval:
