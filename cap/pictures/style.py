@@ -1,5 +1,6 @@
 """One look for all pictures: colours that the colour-blind can tell apart, axes with units."""
 
+import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from fractions import Fraction
@@ -26,6 +27,8 @@ BLUE, ORANGE, GREEN, RED = "#0072B2", "#E69F00", "#009E73", "#D55E00"
 PURPLE, SKY, YELLOW, BLACK, GREY = "#CC79A7", "#56B4E9", "#F0E442", "#000000", "#999999"
 CYCLE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK, YELLOW)
 PALE, DARK = "#DDDDDD", "#777777"
+_POWER = re.compile(r"(?<=\d)e\+?(-?)0*(\d+)")  # in a float
+_TIMES = r" \\cdot 10^{\1\2}"
 DENSE = 5000  # points above which they are drawn as pixels
 
 SYMBOLS = {"F": "F", "omega": r"\omega", "f": "f", "R": "R", "e": "e", "mu": r"\mu"}
@@ -104,7 +107,8 @@ def parameters(
     names += [n for n in ("e", "mu") if (n in varying or values[n] != paper[n]) and n not in but]
     known = {n: r"\ldots ".join(ends(varying[n])) for n in names if n in varying}
     known |= {n: _formula(values[n]) for n in names if n not in varying}
-    return "$" + r",\ ".join(f"{SYMBOLS[n]} = {known[n]}" for n in names) + "$"
+    formula = r",\ ".join(f"{SYMBOLS[n]} = {known[n]}" for n in names)
+    return f"${_POWER.sub(_TIMES, formula)}$"
 
 
 def _formula(number: str) -> str:

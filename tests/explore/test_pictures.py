@@ -1,6 +1,7 @@
 """What pictures show: no line, colour or mark says more, or other, than what was computed."""
 
 from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ from cap.floats.diagnostics.continuation import continuation
 from cap.paper.figure import Run
 from cap.paper.sketches import decomposition
 from cap.parameters import PAPER
-from cap.pictures import diagrams, states
+from cap.pictures import diagrams, states, style
 from cap.pictures.paper import sketches
 from cap.pictures.style import BLUE, blank
 from cap.runner import Runner
@@ -158,3 +159,11 @@ def test_islands_have_the_colour_of_what_never_turns():
         if text.get_text().startswith("never turns")
     )
     assert to_hex(handle.get_facecolor()) == BLUE.lower()
+
+
+def test_powers_of_ten_in_formulas():
+    """An exponent is no subtraction."""
+    shown = style.parameters(PAPER, varying={"f": [1.06819e-08, 0.5]})
+    assert r"f = 1.06819 \cdot 10^{-8}\ldots 0.5" in shown
+    shown = style.parameters(replace(PAPER, F=Fraction(10**7)))
+    assert r"$F = 1 \cdot 10^{7},\ " in shown
