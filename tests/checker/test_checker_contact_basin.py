@@ -457,6 +457,8 @@ def test_between_two_heights_it_may_dip():
     assert not flights._stays(0.0, 0.1, 1.0, 0.1)
     assert not flights._stays(0.0, 0.0, 1.0, 0.4)
     assert flights._stays(0.0, 0.13, 1.0, 0.13)
+    dipping = flight(0.05, -0.4, mean=-1.0)  # at 1 h is 0.15, at 1/2 -0.025
+    assert dipping._within(0.0, 0.05, 1.0) == (0.0, 0.5)
 
 
 def test_two_hits_in_a_window():

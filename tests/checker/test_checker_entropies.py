@@ -8,6 +8,7 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import product
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -298,6 +299,15 @@ def test_a_map_that_may_be_monotone(at, cells):
         strip.cells = part
         with pytest.raises(Rejected, match="may be monotone"):
             strip.unimodal()
+
+
+def test_a_second_derivative_of_both_signs():
+    """It is positive at the middle of what is known of it."""
+    known = {(2, 0): Interval.enclosing(Fraction(-1, 10), Fraction(3, 10), 64)}
+    H = SimpleNamespace(places=lambda _: known[2, 0].integer(0), near=lambda *_: known)
+    strip = SimpleNamespace(bits=64, turn=1, passage=lambda _: None)
+    with pytest.raises(Rejected, match="second derivative may vanish"):
+        Strip.critical(strip, H, None, Fraction(1, 100))
 
 
 def test_the_critical_point(at):

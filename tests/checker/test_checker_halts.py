@@ -49,6 +49,9 @@ def test_a_halt():
             assert rest.sides == (s,)
             width = rest.x.value.upper - rest.x.value.lower
             assert width <= max(before, 0) ** 3 + 1e-6
+            weak = 2 * math.pi + math.acos(f) + (0 if s < 0 else math.pi)
+            assert rest.since.lower <= weak + max(0, -before) + 1e-6
+            assert weak + abs(before) - 1e-6 <= rest.since.upper
 
 
 def _called(f, before, s, word) -> tuple[object, object, str, Ends]:
