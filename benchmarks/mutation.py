@@ -15,6 +15,12 @@ which the lines are noted then (after changes of the checker remove `tests.json`
 The table counts caught mutants and survivors by module; `equivalent.txt` has those survivors that
 no test can or need notice, each with its reason.
 
+On 28 November 2026, of a sample of 150 of the whole checker (``--sample 0.00213 --seed 1141
+--marks 'not slow and not browser'``, without ``--slips`` and with it), 22 did not matter, one was
+ended by its time, the quick tests caught 115 of 127, and tests of the other 12 were added.  Of 223
+`need`s of ``coverings`` and ``system``, each left out once, 211 were caught, 2 ended by their time,
+3 did not matter; tests of the other 7, of which 3 bound the work, were added.
+
 A whole run, of some 70 000 mutants, would take days on two cores; a sample of 150, half an hour.
 mutmut and cosmic-ray were considered: they do not know that `lower` and `upper` can be exchanged or
 an interval collapsed to its midpoint, and where tests are not chosen by line, and certificates not

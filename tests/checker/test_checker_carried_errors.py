@@ -7,7 +7,7 @@ from itertools import product
 
 import pytest
 
-from cap.checker.folded import motion, paths
+from cap.checker.folded import events, motion, paths
 from cap.checker.folded.events import after, event
 from cap.checker.kernel import line
 from cap.checker.kernel import polynomials as q
@@ -123,6 +123,16 @@ def test_hits_in_two_variables(state, y, radii):
         return two_variables(y, *given, **options)
 
     check(following, state, radii, -y.a, "hit")
+
+
+def test_a_hit_about_a_slow_time(monkeypatch):
+    """That slow time counts, unless all flights begin after it."""
+    f = flight(*HITS[0])
+    hit, slow = event(AHEAD, f), sum(AHEAD.slow(0))
+    for first, last, number in ((-0.2, -0.1, 0), (-0.1, 0.1, 0), (0.1, 0.2, 1)):
+        begun = slow + first, slow + last
+        monkeypatch.setattr(events, "followed", lambda *_, t=begun: f._replace(begun=t))
+        assert events.after_hit(AHEAD, f, hit).slow == number
 
 
 @pytest.mark.parametrize("radii", RADII)

@@ -9,7 +9,7 @@ from mpmath import mp, mpf, sqrt
 from support import number, rational, rounds, seeded
 
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.system.chatter import Entry, Pull, States
+from cap.checker.system.chatter import Entry, Pull, States, first_hit, next_hit
 from checker.parts import Interval, chatter
 
 LITTLE = Fraction(1, 10**30)
@@ -115,6 +115,16 @@ def test_refused(bounds, e, why):
     entry = Entry(exactly(1), exactly(1))
     with pytest.raises(Rejected, match=why):
         chatter(entry, States(exactly(100), exactly(100)), pull(*bounds), exactly(e))
+
+
+@pytest.mark.parametrize("bounds", [(-1, -1, -1), (-1, 1, 1), (1, -1, 1), (0, 1, 1), (1, 0, 1)])
+def test_no_hit_follows(bounds):
+    """Where there may be no pull: neither a first one, nor another one."""
+    far, e = States(exactly(100), exactly(100)), exactly(Fraction(1, 2))
+    with pytest.raises(Rejected, match="held off"):
+        first_hit(Entry(exactly(1)), far, pull(*bounds))
+    with pytest.raises(Rejected, match="held off"):
+        next_hit(exactly(1), far, pull(*bounds), e)
 
 
 def test_the_states_that_were_looked_at():

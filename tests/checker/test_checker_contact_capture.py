@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 import math
 from fractions import Fraction
-from itertools import pairwise
+from itertools import combinations_with_replacement, pairwise
 from pathlib import Path
 
 import pytest
 from support import seeded
 
 from cap.checker.kernel.certificate import read
+from cap.checker.kernel.rejection import Rejected
 from cap.checker.system.capture import HEIGHT, RATE, Modes, Wall
 from cap.checker.system.polynomial import variable
 from cap.checker.theorems import load
@@ -53,10 +54,53 @@ def test_it_is_verified(given, steps):
 def test_the_state_follows_from_the_height_and_its_rate():
     """By linear equations, of which the determinant is 9 for a guard that is three times h."""
     given = changed(EVER, *TABLE, "value", [["-3/5", "sin"], ["3", "y"]])
-    model = load("contact_capture")(read(encode(given)), lambda _: None).p
-    wall = Wall(model, Modes("fly", "table", "fly"), Fraction(1, 2))
+    p = load("contact_capture")(read(encode(given)), lambda _: None).p
+    wall = Wall(p, Modes("fly", "table", "fly"), Fraction(1, 2))
     assert wall.at(wall.h, {}) == variable(HEIGHT)
     assert wall.at(wall.rate, {}) == variable(RATE)
+
+
+def nine(given):
+    """Let a hit lead to nine modes."""
+    modes = given["modes"]
+    more = {f"rest{k}": modes["rest"] for k in range(8)}
+    given["modes"] = modes | more
+    modes["fly"]["guards"]["table"]["to"] += list(more)
+
+
+def bent(given):
+    """Let h depend on the square of a variable that stays as it is."""
+    given["state"].append("z")
+    for mode in given["modes"].values():
+        mode["field"]["z"] = []
+    given["modes"]["fly"]["guards"]["table"]["value"].append(["1", "z", "z"])
+
+
+def table(**changes):
+    """Return what changes the guard of a table."""
+    return lambda given: given["modes"]["fly"]["guards"]["table"].update(changes)
+
+
+MANY = [["1", *z] for k in (2, 3) for z in combinations_with_replacement(("sin", "v", "y"), k)]
+
+
+@pytest.mark.parametrize(
+    ("change", "why"),
+    [
+        (table(divisor=[["1"], ["1", "v"]]), "what divides a reset is no rational number"),
+        (table(reset={"v": [["-1/2", "v"], ["1", *"vvvy"]]}), "a reset has a degree above 3"),
+        (table(value=[["1", "y"], *MANY]), "h or h' has more than 16 terms"),
+        (nine, "a hit leads to more than 8 modes"),
+        (bent, "h or h' is not linear in the state"),
+    ],
+)
+def test_what_is_no_wall(change, why):
+    """Each condition refuses something, for its own reason."""
+    given = json.loads(encode(EVER))
+    change(given["parameters"])
+    p = load("contact_capture")(read(encode(given)), lambda _: None).p
+    with pytest.raises(Rejected, match=why):
+        Wall(p, Modes("fly", "table", "fly"), Fraction(1, 2))
 
 
 def test_what_is_told():

@@ -259,6 +259,14 @@ def test_other_guards_are_watched():
         mapped(ceiling("2")).image(t, v)
 
 
+def test_a_row_of_several_entries():
+    """All products are added, those with 1 exactly."""
+    row = [(0, Double(2.0)), (2, Double(1.0)), (1, Double(3.0, 0.5))]
+    found = contact_map._dot(row, [Double(5.0), Double(7.0), Double(11.0)])
+    assert found.lower == pytest.approx(38.5)
+    assert found.upper == pytest.approx(45.5)
+
+
 def test_pieces_are_counted():
     """No more of them than there are for a set."""
     t, v = Double(0.0, 1e-6), Double(-3.0, 1e-6)

@@ -230,3 +230,13 @@ def test_the_error_bounds_that_the_text_states():
         assert _sine_series(0, p) == (0, 2)
         assert _sine_series(1, p) == (1, 4)
     assert _sine_series(200, 8)[1] == 6  # the terms are 200 and 20
+
+
+@pytest.mark.parametrize("x", [-150, -30, 30, 150])
+def test_the_exponential_of_large_numbers(x):
+    """Terms of its series are as large as e^|x|."""
+    found = exp(Fraction(x))
+    with mp.workprec(600):
+        exact = int(mp.floor(mp.exp(x) * mp.mpf(2) ** found.bits))
+    assert found.lo <= exact < found.hi
+    assert found.hi - found.lo < 4

@@ -14,7 +14,7 @@ from cap.checker.coverings.formulas import Map
 from cap.checker.coverings.orbits import Round, confirm_orbit, confirm_orbits, images, nearness
 from cap.checker.kernel.doubles import Double
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.shapes import matched
+from cap.checker.kernel.shapes import Enclosure, matched
 from checker.altered import changed, decimal, rejected, verify
 from checker.linear import Linear
 from checker.test_checker_formulas import given
@@ -202,3 +202,11 @@ def test_intervals_that_touch_meet():
         assert orbits._meet(p, q)
         assert orbits._meet(q, p)
         assert not orbits._meet(p, Double(q.mid + 1e-9, q.rad))
+
+
+@pytest.mark.parametrize("q", [Fraction(1, 3), Fraction(1, 10)])
+def test_a_side_that_is_no_double(q):
+    """Its double is below a third, and above a tenth; the interval contains both."""
+    found = orbits._interval(Enclosure(q, q, ("", "")))
+    assert abs(q - Fraction(found.mid)) <= Fraction(found.rad)
+    assert found.rad < 1e-16

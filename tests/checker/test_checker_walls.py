@@ -10,6 +10,8 @@ from cap.checker.kernel.rejection import Rejected
 from cap.checker.system.all_f import ForAllF
 from cap.checker.system.lossy import WithLosses
 from cap.checker.system.masses import TwoMasses
+from cap.checker.system.walls import BetweenWalls
+from cap.checker.theorems import NAMES, load
 
 GOOD = {"F": "1", "omega": "1", "f": "2/5", "l": "-1", "r": "1", "e": "1", "mu": "0"}
 MASSES = {k: q for k, q in GOOD.items() if k not in ("e", "mu")} | {"masses": ["1", "9/10"]}
@@ -80,3 +82,21 @@ def test_a_mass_that_is_not_positive(masses):
     given = {name: exact(q) for name, q in (MASSES | {"masses": masses}).items()}
     with pytest.raises(Rejected, match="a mass is not positive"):
         TwoMasses.parameters(given)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_theorem_has_other_losses(name):
+    """Where e and mu are parameters they are bounded; between walls they are 1 and 0 elsewhere."""
+    theorem = load(name)
+    if not issubclass(theorem, BetweenWalls):
+        assert not {"e", "mu"} & set(theorem.PARAMETERS)
+        return
+    given = {key: exact((GOOD | MASSES)[key]) for key in theorem.PARAMETERS}
+    p = theorem.parameters(given)
+    if not {"e", "mu"} & given.keys():
+        assert (getattr(p, "e", 1), getattr(p, "mu", 0)) == (1, 0)
+        return
+    for key in ("e", "mu"):
+        for value in BAD[key]:
+            with pytest.raises(Rejected, match=r"does not hold|in size"):
+                theorem.parameters(given | {key: exact(value)})

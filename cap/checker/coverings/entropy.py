@@ -96,6 +96,7 @@ class Coverings(Theorem):
     )  # fmt: skip
     ITERATES: ClassVar[int] = 1
     MAP: ClassVar[str] = "g"
+    SHIFT: ClassVar[str] = "one-sided subshift"
 
     @classmethod
     def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
@@ -172,12 +173,13 @@ class Coverings(Theorem):
             return "the sets are pairwise disjoint"
         return "sets overlap, but two paths with the same ends are in disjoint sets at some time"
 
-    def bounded(self, sentence: str, **more: object) -> str:
-        """Return a sentence with the bounds claimed, and how many sets and coverings there are."""
-        edges = sum(map(len, self.hints["coverings"]))
-        claimed = {name: decimal(self.claims[name]) for name in ("growth", "entropy")}
-        sets = len(self.hints["sets"])
-        return self.told(sentence, sets=sets, edges=edges, **claimed, **more) + self.besides()
+    def bounded(self, sentence: str, after: str = "", **more: object) -> str:
+        """Return a sentence with the bounds claimed, what is said of the sets, and what follows."""
+        told: dict[str, object] = {"map": self.MAP, "shift": self.SHIFT}
+        told |= {"sets": len(self.hints["sets"]), "edges": sum(map(len, self.hints["coverings"]))}
+        told |= {name: decimal(self.claims[name]) for name in ("growth", "entropy")} | more
+        kind = _DISJOINT if self.claims["together"] == 1 else _OVERLAPPING
+        return self.told(sentence + _SETS + kind + after, **told) + self.besides()
 
     def besides(self) -> str:
         """Return what is claimed of periodic orbits and of cones."""
@@ -231,6 +233,18 @@ def cone_rates(matrices: list[list[Matrix]], edges: list[list[int]], cones: list
 
 STEEPEST, LARGEST_UNIT = 1000, 10**6
 _CHECKED, _CONES = "coverings are checked", "cones are checked"
+_SETS = (
+    "{sets} parallelograms and {edges} coverings between them, with a matrix A of a spectral "
+    "radius of at least {growth}; "
+)
+_DISJOINT = (
+    "the parallelograms are disjoint: {map} on Lambda is semiconjugate onto the {shift} of A, and "
+    "for each n {map}^n has at least tr(A^n) fixed points in Lambda"
+)
+_OVERLAPPING = (
+    "some of them overlap, but without diamonds: for each n {map}^n has at least "
+    "tr(A^n)/{together} fixed points in Lambda; no semiconjugacy onto a subshift is claimed"
+)
 _ORBITS = (
     "; {number} different periodic orbits of {g} in Lambda are saddles, of the least periods "
     "{periods}: each is the only one of its period that meets its box"

@@ -132,11 +132,10 @@ class ContactHorseshoe(Coverings, OwnSystem):
     def words(self) -> str:
         """Return the theorem in one line."""
         section = Section(self.p, self.claims["mode"], self.claims["guard"])
-        kind = _DISJOINT if self.claims["together"] == 1 else _OVERLAPPING
         longest = decimal(max(self.hints["times"]))
         per_period = decimal(self.claims["per_period"])
         return self.bounded(
-            _HORSESHOE + kind + _FLOW,
+            _HORSESHOE, _FLOW,
             system=told(self.p), q=section.q, free=section.p, longest=longest, per=per_period,
         )  # fmt: skip
 
@@ -146,16 +145,7 @@ _HORSESHOE = (
     "falls through 0, just before it, with {q} given by t, to (t, {free}) at the next contact, if "
     "the system goes on in '{mode}' and until then all its guards are positive; t is taken modulo "
     "2 pi/omega; g has a compact invariant set Lambda, on which its topological entropy is at "
-    "least {entropy}: {sets} parallelograms and {edges} coverings between them, with a matrix A of "
-    "a spectral radius of at least {growth}; "
-)
-_DISJOINT = (
-    "the parallelograms are disjoint: g on Lambda is semiconjugate onto the one-sided subshift of "
-    "A, and for each n g^n has at least tr(A^n) fixed points in Lambda"
-)
-_OVERLAPPING = (
-    "some of them overlap, but without diamonds: for each n g^n has at least tr(A^n)/{together} "
-    "fixed points in Lambda; no semiconjugacy onto a subshift is claimed"
+    "least {entropy}: "
 )
 _FLOW = (
     "; from a contact in Lambda to the next one it takes at most {longest}, and the flow of the "

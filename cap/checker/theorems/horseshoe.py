@@ -45,7 +45,7 @@ class Horseshoe(Coverings, BetweenWalls):
         CONES,
     )
     ITERATES = 2
-    MAP = "sigma"
+    MAP, SHIFT = "sigma", "subshift"
 
     def map(self) -> HalfPeriod:
         """Return sigma, in natural units."""
@@ -54,24 +54,14 @@ class Horseshoe(Coverings, BetweenWalls):
 
     def words(self) -> str:
         """Return the theorem in one line."""
-        kind = _DISJOINT if self.claims["together"] == 1 else _OVERLAPPING
-        return self.bounded(SYSTEM + _HORSESHOE + kind)
+        return self.bounded(SYSTEM + _HORSESHOE)
 
 
 _HORSESHOE = (
     "sigma, the flow over half a period from t = 0 followed by the symmetry (x, v) -> (l + r - x, "
     "-v), whose square is the time-T map Phi, T = 2 pi/omega, has a compact invariant set Lambda "
     "of states whose motions never have the velocity 0, neither later nor before; the topological "
-    "entropy of Phi on Lambda, per period T, is at least {entropy}: {sets} parallelograms and "
-    "{edges} coverings between them, with a matrix A of a spectral radius of at least {growth}; "
-)
-_DISJOINT = (
-    "the parallelograms are disjoint: sigma on Lambda is semiconjugate onto the subshift of A, and "
-    "for each n sigma^n has at least tr(A^n) fixed points in Lambda"
-)
-_OVERLAPPING = (
-    "some of them overlap, but without diamonds: for each n sigma^n has at least "
-    "tr(A^n)/{together} fixed points in Lambda; no semiconjugacy onto a subshift is claimed"
+    "entropy of Phi on Lambda, per period T, is at least {entropy}: "
 )
 
 THEOREM = Horseshoe

@@ -29,22 +29,12 @@ class MapHorseshoe(Coverings):
 
     def words(self) -> str:
         """Return the theorem in one line."""
-        kind = _DISJOINT if self.claims["together"] == 1 else _OVERLAPPING
-        return self.bounded(_HORSESHOE + kind, map=str(self.p))
+        return self.bounded(_HORSESHOE, given=str(self.p))
 
 
 _HORSESHOE = (
-    "the map g: {map} has a compact invariant set Lambda, on which its topological entropy is at "
-    "least {entropy}: {sets} parallelograms and {edges} coverings between them, with a matrix A of "
-    "a spectral radius of at least {growth}; "
-)
-_DISJOINT = (
-    "the parallelograms are disjoint: g on Lambda is semiconjugate onto the one-sided subshift of "
-    "A, and for each n g^n has at least tr(A^n) fixed points in Lambda"
-)
-_OVERLAPPING = (
-    "some of them overlap, but without diamonds: for each n g^n has at least tr(A^n)/{together} "
-    "fixed points in Lambda; no semiconjugacy onto a subshift is claimed"
+    "the map g: {given} has a compact invariant set Lambda, on which its topological entropy is at "
+    "least {entropy}: "
 )
 
 THEOREM = MapHorseshoe
