@@ -63,9 +63,8 @@ def test_sets_that_overlap():
     hints |= {"coverings": [["1"], ["2"], ["3"], ["4"], ["5"], ["0"]]}
     hints |= {"vector": ["1"] * 6, "timed_vector": ["1"] * 6}
     given["claims"] |= {"growth": "1", "entropy": "0", "per_period": "0"}
-    rejected(given, "not positive")
-    given["claims"]["per_period"] = "0.00000001"
-    rejected(given, "grow in time")
+    rejected(given, "more than the growth shows")  # exp(0) is enclosed
+    rejected(changed(CHAOS, "claims", "per_period", "0"), "not positive")
 
 
 # lies about the sets

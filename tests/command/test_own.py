@@ -125,10 +125,7 @@ def test_a_continuum_is_recognised(tmp_path, capsys):
         (("--set", "q=1"), "no parameter q"),
         (("--orbit", "1"), "--orbit is a state: give x, v"),
         (("--mode", "fly"), "--mode is that of --orbit"),
-        (
-            ("--orbit", "5", "0", "--mode", "free"),
-            "lies outside the mode free at t = 0",
-        ),
+        (("--orbit", "5", "0", "--mode", "free"), "where a guard of its mode is negative"),
         (("--all", "--orbit", "1", "2"), "--all goes neither"),
         (("--digits", "1"), "--digits must be an integer"),
         (("--period", "0"), "--period must be an integer"),

@@ -187,7 +187,7 @@ def test_what_has_no_list_of_contacts():
     for state, mode, periods, message in (
         ([0.0, 0.7], "free", 40, "from 1 to 64"),
         ([0.25, 0.0], "at the top", 1, "accumulate|begins in the mode"),
-        ([0.3, 0.7], "free", 1, "outside its mode"),
+        ([0.3, 0.7], "free", 1, "guard of its mode is negative"),
     ):
         with pytest.raises(BadInput, match=message) as refusal:
             contacts(E, state, mode, periods)

@@ -15,6 +15,7 @@ from cap.system.polynomial import COS, SIN
 
 MOST = 64  # contacts of a round
 ROUGH = 1e-4  # times of contacts that are followed once more
+LOST = "the orbit is lost, or begins where a guard of its mode is negative"
 LONG = 200  # periods of 2 pi/omega after which an orbit has settled
 
 
@@ -27,11 +28,13 @@ def contacts(
     `BadInput` if it is lost, has no contact or more than `MOST`, is captured, or begins in another
     mode than it ends in.
     """
-    modes = None if mode is None else [mode]
-    ends = engine.follow([state], modes, periods=periods, log=MOST + 1)
+    modes, start = None if mode is None else [mode], np.array([state], float)
+    if mode in engine.modes and not engine.inside(start)[engine.modes.index(mode), 0]:
+        raise BadInput(LOST)  # far outside it is followed by very short steps
+    ends = engine.follow(start, modes, periods=periods, log=MOST + 1)
     words = [engine.words[int(line[2])] for line in ends.log]
     if ends.flags[0]:
-        raise BadInput("the orbit is lost, or begins where a guard of its mode is negative")
+        raise BadInput(LOST)
     if not 0 < len(words) <= MOST:
         raise BadInput(f"the orbit has {len(words) or 'no'} contacts: from 1 to {MOST} are proved")
     if engine.words[-1] in words:

@@ -152,29 +152,22 @@ class Engine:
         found = np.array([known.get(m, m) for m in modes], dtype=np.int64)
         if len(found) != len(states):
             raise BadInput(f"{len(found)} modes for {len(states)} states")
-        if any(isinstance(name, str) for name in modes):  # who names a mode means to begin in it
-            out = ~self.inside(states, phase, np.unique(found))[found, np.arange(len(found))]
-            if out.any():
-                k = int(np.argmax(out))
-                raise BadInput(self._nowhere(states[k], phase, self.modes[found[k]]))
         return found
 
-    def _nowhere(self, state: Floats, phase: float, named: str = "") -> str:
-        """Return why an orbit begins in no mode in which nothing rests, or not in the one named."""
+    def _nowhere(self, state: Floats, phase: float) -> str:
+        """Return why an orbit begins in no mode where nothing rests."""
         values = {**dict(zip(self.system.state, state.tolist(), strict=True)), COS: np.cos(phase)}
         values[SIN] = np.sin(phase)
         why = [
             f"in {mode} the guard {name} is {value:.4g}"
             for (mode, each), free in zip(self.system.modes.items(), self.free, strict=True)
             for name, guard in each.guards.items()
-            if (mode == named if named else free)
-            and (value := float(evaluated(guard.value, values))) < 0
+            if free and (value := float(evaluated(guard.value, values))) < 0
         ]
         told = ", ".join(f"{z} = {q:.6g}" for z, q in zip(self.system.state, state, strict=True))
         at = " at t = 0" if not phase else ""
         return (
-            f"the state {told} lies "
-            f"{f'outside the mode {named}' if named else 'in no mode in which nothing rests'}{at}: "
+            f"the state {told} lies in no mode in which nothing rests{at}: "
             f"{'; '.join([*why[:4], *(['...'] if why[4:] else [])]) or 'name its mode'} "
             "(guards are positive inside their mode)"
         )
