@@ -175,10 +175,10 @@ class Report:
 
     def counts(self) -> list[tuple[str, list[int]]]:
         """Return for each section, and for all, how many claims have each of `outcomes`."""
-        rows = {each.heading.replace(". ", " ", 1): each.entries for each in self.sections}
-        rows["All"] = list(self.by_id.values())
-        found = {name: [each.verdict.outcome for each in rows[name]] for name in rows}
-        return [(name, list(map(each.count, self.outcomes))) for name, each in found.items()]
+        rows = [(each.heading.replace(". ", " ", 1), each.entries) for each in self.sections]
+        rows.append(("All", list(self.by_id.values())))
+        found = [(name, [each.verdict.outcome for each in entries]) for name, entries in rows]
+        return [(name, list(map(each.count, self.outcomes))) for name, each in found]
 
     @cached_property
     def findings(self) -> list[Found]:

@@ -279,10 +279,8 @@ class ContactsBranch(Contacts):
             joined = self.cells[end["cell"]].meets(piece)
             need(joined, f"the piece of {where} is not certain to be one curve with its cell")
             self.approaches(where, last, piece, hints["cuts"])
-            short, fine = (
-                self.fine.cell(Line.of(end["short"]), hints["short"]),
-                last.short(self.fine, hints),
-            )
+            short = self.fine.cell(Line.of(end["short"]), hints["short"])
+            fine = last.short(self.fine, hints)
             need(self.lies(short, piece), f"{where} is not certain to be on its piece")
             self.compare(f"{where}.at", end["at"], short.box[-1])
             self.compare(f"{where}.time", end["time"], fine.time(short.box))
