@@ -12,6 +12,7 @@ from cap.audit.comparison import compared, value
 from cap.audit.decide import all_decided, decided
 from cap.audit.papers.mixed_dynamics.means.printed import printed
 from cap.audit.report.view import Report
+from cap.audit.steps import SYMBOLS
 from cap.audit.verdict import Outcome, Strength
 from cap.errors import NotProved
 
@@ -233,7 +234,7 @@ def test_rows_have_known_entries(label):
     """A number, or words; flags are set or not there; and who finds them exists."""
     module = tables.tables()[label]["module"]
     for row in tables.tables()[label]["row"]:
-        assert row.keys() <= ENTRIES | FLAGS, row["what"]
+        assert row.keys() <= ENTRIES | FLAGS | SYMBOLS.keys(), row["what"]
         assert {"what", "paper"} <= row.keys()
         assert ("steps" in row) is not ("by" in row), row["what"]
         if "by" in row:
