@@ -15,8 +15,8 @@ for without it another test may be the first that waits for a compiled function.
 The longest tests are listed by hand in longest.txt, if a smaller example or another step of
 `.ci/run` tests the same code.
 
-In collection such tests are marked slow, the longest also beside: `.ci/run` leaves these out, the
-server runs them beside it (`conftest`).  As a plugin of pytest this
+In collection such tests are marked slow, the longest also beside: `.ci/run` leaves these out,
+`.ci/beside` runs them (`conftest`).  As a plugin of pytest this
 module notes for each test its time, the places, and the theorems told: `-p repeated`.
 """
 

@@ -1,6 +1,6 @@
 """The notebooks are stored without outputs, and there are those that the pages name.
 
-That they run is a step of CI: ``python docs/notebooks.py``.
+That they run is a step of ``.ci/beside``: ``python docs/notebooks.py``.
 """
 
 import json
