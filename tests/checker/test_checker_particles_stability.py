@@ -18,6 +18,7 @@ from cap.checker.particles.neighbours import Arc, Neighbours
 from cap.checker.system.masses import MassParameters
 from cap.floats.masses.particles import Particles, follow
 from cap.parameters import Parameters
+from checker import remembered
 from checker.altered import changed, fits_the_schema, rejected, verify
 
 STORED = Path(__file__).parents[2] / "certificates/particles_stability.json"
@@ -134,10 +135,11 @@ def test_another_itinerary(near, stored):
 @pytest.mark.slow
 def test_it_is_accepted_and_no_more(stored):
     """With its steps; more periods, a larger ellipsoid, another polynomial are rejected."""
-    assert any("H does not grow" in step for step in verify(stored))
-    fits_the_schema(stored)
-    rejected(changed(stored, "claims", "periods", "9" * 40), "leave the ellipse before")
-    rejected(changed(stored, "claims", "part", "0.999"), "leave the ellipse before")
-    rejected(changed(stored, "hints", "integral", 0, "1.1"), "leave the ellipse before")
+    with remembered.neighbours_followed_once():
+        assert any("H does not grow" in step for step in verify(stored))
+        fits_the_schema(stored)
+        rejected(changed(stored, "claims", "periods", "9" * 40), "leave the ellipse before")
+        rejected(changed(stored, "claims", "part", "0.999"), "leave the ellipse before")
+        rejected(changed(stored, "hints", "integral", 0, "1.1"), "leave the ellipse before")
     axes = [[str(Fraction(q) * 2) for q in row] for row in stored["claims"]["axes"]]
     rejected(changed(stored, "claims", "axes", axes), "leave the ellipse before")

@@ -1,10 +1,13 @@
 """`cap.prove island --ball`: what is proved, and refusals in one line."""
 
 import json
+from pathlib import Path
 
 import pytest
 
 from cap.command.prover import main
+
+SMALL = Path(__file__).parents[1] / "certificates/accept/ball_curve_small.json"
 
 
 def prove(*words):
@@ -14,20 +17,19 @@ def prove(*words):
 
 @pytest.mark.slow
 def test_from_parameters_to_a_certificate(tmp_path, capsys):
-    """A curve of slow motions; other units scale it; no other file is replaced."""
-    assert prove("--ball", "A=1/20", "--out", tmp_path) == 0
+    """A curve of slow motions; that stored has other units, which scale it; no other file is
+    replaced."""
+    assert prove("--ball", "A=2/45", "--turns", "1", "--out", tmp_path) == 0
     assert "bounces elastically" in capsys.readouterr().out
     (path,) = tmp_path.glob("*.json")
-    assert path.name == "ball_curve-A=1_20.json"
-    low, high = map(float, json.loads(path.read_text("utf-8"))["claims"]["speeds"])
-    assert 1.88 < low < 1.9
-    assert 1.98 < high < 2
-    other = tmp_path / "other.json"
-    assert prove("--ball", "A=1/40,omega=2,g=2", "--out", other) == 0
-    speeds = map(float, json.loads(other.read_text("utf-8"))["claims"]["speeds"])
-    assert list(speeds) == pytest.approx([low, high], abs=1e-6)
+    assert path.name == "ball_curve-A=2_45-turns=1.json"
+    ours, theirs = (
+        [float(v) for v in json.loads(file.read_text("utf-8"))["claims"]["speeds"]]
+        for file in (path, SMALL)  # A = 1/30, omega = 2, g = 3: the same A omega^2/g
+    )
+    assert [v * 3 / 2 for v in ours] == pytest.approx(theirs, abs=1e-6)
     path.write_text("{}")
-    assert prove("--ball", "A=1/20", "--out", tmp_path) == 2
+    assert prove("--ball", "A=2/45", "--turns", "1", "--out", tmp_path) == 2
     assert "there is another file" in capsys.readouterr().err
 
 

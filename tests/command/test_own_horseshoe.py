@@ -1,10 +1,12 @@
 """`cap.prove horseshoe --map` and `--model`: what is proved of a file, and refusals in one line."""
 
 import json
+from functools import partial
 
 import pytest
 
 from cap.command.prover import main
+from cap.floats.coverings import search
 from cap.proofs import map_horseshoe
 from cap.system.files import planar
 
@@ -17,9 +19,11 @@ def prove(*words, given=HENON):
 
 
 @pytest.mark.slow
-def test_from_a_file_to_a_certificate(tmp_path, capsys):
-    """Near a full horseshoe short words are enough for most of log 2; no other file is replaced."""
-    words = "--set", "a=5", "--effort", "2", "--sets", "disjoint", "--out", tmp_path
+def test_from_a_file_to_a_certificate(tmp_path, capsys, monkeypatch):
+    """Near a full horseshoe a small sample and short words are enough for most of log 2; no other
+    file is replaced."""
+    monkeypatch.setattr(search, "cells", partial(search.cells, symbols=search.FEW))
+    words = "--set", "a=5", "--effort", "1", "--sets", "disjoint", "--out", tmp_path
     assert prove(*words) == 0
     assert "one-sided subshift" in capsys.readouterr().out.replace("\n  ", " ")
     (path,) = tmp_path.glob("*.json")
