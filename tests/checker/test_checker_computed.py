@@ -1,21 +1,25 @@
 """The numbers on the way to each verdict are those that were recorded: see ``computed``."""
 
+from pathlib import Path
+
 import pytest
 
 from cap.checker.kernel.interval import Interval
 from checker import computed
 
-QUICK = "capture impulse segment sliding symmetric pitchfork saddle elliptic island contacts-"
 SMALL = "certificates/segment.json"
+QUICK = (
+    *("contact_basin_ball", "contact_capture_oscillator", "island_small", "capture-2", "capture-3"),
+    *("contact_capture-1", "contact_elliptic-1", "contact_elliptic-2", "contacts-1", "contacts-2"),
+    *("elliptic", "impulse-1", "periodic-11", "pitchfork", "saddle", "segment", "sliding"),
+    "symmetric",
+)
 
 
 def paths():
     """Return the certificates, for `parametrize`; what takes longer is slow."""
-    quick = tuple(f"certificates/{word}" for word in QUICK.split())
-    return [
-        pytest.param(path, marks=[] if path.startswith(quick) else [pytest.mark.slow])
-        for path in computed.kept()
-    ]
+    marks = {path: [pytest.mark.slow] * (Path(path).stem not in QUICK) for path in computed.kept()}
+    return [pytest.param(path, marks=marks[path]) for path in marks]
 
 
 @pytest.mark.parametrize("path", paths())
