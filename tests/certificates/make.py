@@ -17,6 +17,7 @@ sys.path.insert(0, str(HERE.parent))
 
 
 from checker import mixed_small  # noqa: E402
+from checker.forge_hybrid import forge_persistence  # noqa: E402
 
 STORED = HERE.parent.parent / "certificates"
 
@@ -48,6 +49,7 @@ def accepted(saddle):
     put("accept", "saddle_wider_windows", saddle, ("hints", "hit_times", windows))
     put("accept", "saddle_smaller_box", saddle, ("claims", "box", box))
     put("accept", "saddle_parameters_written_otherwise", saddle, ("parameters", other))
+    put("accept", "persistence_small", forge_persistence())
 
 
 def rejected(saddle, elliptic):

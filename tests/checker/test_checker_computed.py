@@ -1,0 +1,48 @@
+"""The numbers on the way to each verdict are those that were recorded: see ``computed``."""
+
+from pathlib import Path
+
+import pytest
+
+from cap.checker.kernel.interval import Interval
+from checker import computed
+
+SMALL = "certificates/segment.json"
+QUICK = (
+    *("contact_basin_ball", "contact_capture_oscillator", "island_small", "capture-2", "capture-3"),
+    *("contact_capture-1", "contact_elliptic-1", "contact_elliptic-2", "contacts-1", "contacts-2"),
+    *("elliptic", "impulse-1", "periodic-11", "pitchfork", "saddle", "segment", "sliding"),
+    "symmetric",
+)
+
+
+def paths():
+    """Return the certificates, for `parametrize`; what takes longer is slow."""
+    marks = {path: [pytest.mark.slow] * (Path(path).stem not in QUICK) for path in computed.kept()}
+    return [pytest.param(path, marks=marks[path]) for path in marks]
+
+
+@pytest.mark.parametrize("path", paths())
+def test_every_number_on_the_way(path):
+    """A digest for each module: a change that is meant is to be recorded anew."""
+    assert computed.digests(path) == computed.kept()[path]
+
+
+def test_a_slip_is_noticed(monkeypatch):
+    """A root that is rounded the other way, of numbers with room, changes no verdict."""
+    sqrt = Interval.sqrt
+
+    def slipped(x):
+        root = sqrt(x)
+        return Interval(root.lo, root.hi + 1, root.bits)
+
+    monkeypatch.setattr(Interval, "sqrt", slipped)
+    found, kept = computed.digests(SMALL), computed.kept()[SMALL]
+    assert {name for name in kept if found[name] != kept[name]} >= {"kernel.interval"}
+
+
+def test_what_is_patched_is_restored():
+    """Functions of the checker and of the library."""
+    before = Interval.__add__, Interval.enclosing, Interval.lower, computed.math.cos
+    computed.digests(SMALL)
+    assert before == (Interval.__add__, Interval.enclosing, Interval.lower, computed.math.cos)
