@@ -10,6 +10,7 @@ from functools import singledispatch
 from types import FunctionType
 
 from cap.checker.kernel import certificate
+from cap.checker.one_one import falling, pairs
 from cap.checker.particles.mechanics import Mechanics
 from cap.checker.particles.neighbours import Neighbours
 from cap.checker.system.model import Model
@@ -68,25 +69,28 @@ def _known(known, key, compute):
 
 @contextmanager
 def pairs_computed_once():
-    """Compute pairs of (1,1) orbits, and their twists, once for equal jets of delta."""
+    """Compute pairs of (1,1) orbits, and their twists, once for equal jets of delta; and angles."""
     known, along = {}, Pairs.along
     branch = home("Branch")
     twist = branch.regularised_twist
+    arccos = pairs.arccos
 
-    def remembered_along(pairs, delta):
-        key = content((pairs.rho, pairs.pi, delta))
-        if key not in known:
-            known[key] = along(pairs, delta)
-        return known[key]
+    def remembered_arccos(y):
+        return _known(known, ("arccos", y), lambda: arccos(y))
 
-    def remembered_twist(pairs, pair):
+    def remembered_along(at, delta):
+        return _known(known, (at.rho, at.pi, delta), lambda: along(at, delta))
+
+    def remembered_twist(at, pair):
         if id(pair) not in known:
-            known[id(pair)] = twist(pairs, pair)
+            known[id(pair)] = twist(at, pair)
         return known[id(pair)]
 
     Pairs.along, branch.regularised_twist = remembered_along, remembered_twist
+    pairs.arccos = falling.arccos = remembered_arccos
     yield
     Pairs.along, branch.regularised_twist = along, twist
+    pairs.arccos = falling.arccos = arccos
 
 
 @contextmanager
