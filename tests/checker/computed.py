@@ -1,6 +1,8 @@
 """What the functions of the checker return while certificates are checked, as digests.
 
-    python tests/checker/computed.py    (records them anew in computed.json)
+    python tests/checker/computed.py [CERTIFICATE...]
+
+records them anew in computed.json, with those of further certificates.
 
 A slip of the hand that leaves every verdict as it was (a bound rounded the other way, a unit that
 is forgotten, an end for the other) changes some number on the way, and with it the digest of a
@@ -9,12 +11,13 @@ which numbers changed, and no other should.
 
 A function is asked at its first calls, then ever more rarely; one that returns nothing, for what
 its arguments hold then.  Some certificates are rejected in the end: small ones, of long proofs.
-Cosines and lengths in doubles, which libraries round differently and the
-checker takes for guesses, are rounded correctly meanwhile.
+Cosines and lengths in doubles, which libraries round differently and the checker takes for guesses,
+are rounded correctly meanwhile.
 """
 
 import json
 import math
+import sys
 from collections import defaultdict
 from contextlib import contextmanager, suppress
 from fractions import Fraction
@@ -166,5 +169,5 @@ def correctly_rounded():
 
 
 if __name__ == "__main__":
-    found = {path: digests(path) for path in kept()}
+    found = {path: digests(path) for path in sorted({*kept(), *sys.argv[1:]})}
     KEPT.write_text(json.dumps(found, indent=1) + "\n", "ascii")

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from cap.checker.kernel.interval import Interval
+from cap.checker.theorems import NAMES
 from checker import computed
 
 SMALL = "certificates/segment.json"
@@ -26,6 +27,12 @@ def paths():
 def test_every_number_on_the_way(path):
     """A digest for each module: a change that is meant is to be recorded anew."""
     assert computed.digests(path) == computed.kept()[path]
+
+
+def test_each_theorem_is_there():
+    """By the check of one certificate, at least."""
+    modules = {module for found in computed.kept().values() for module in found}
+    assert {f"theorems.{name}" for name in NAMES} <= modules
 
 
 def test_a_slip_is_noticed(monkeypatch):
