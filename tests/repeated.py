@@ -35,13 +35,10 @@ TESTS = Path(__file__).parent
 LIST, LENGTHY, LONGEST = (TESTS / f"{name}.txt" for name in ("repeated", "long", "longest"))
 ROOMS = "tests/checker/", "tests/certificate/"
 QUICK = 0.12  # seconds of processor time
-ALWAYS = (
-    "every_number",
-    "every_end",
-    "every_claim",
-    "each_comparison",
+ALWAYS = (  # who changes numbers, reads words: no repetition
+    *("every_number", "every_end", "every_claim", "each_comparison"),
     "sentence",
-)  # who changes numbers, reads words: no repetition
+)
 LONG = 0.2  # seconds of processor time, with that of the processes begun
 GUARDING = *ROOMS, "tests/formal/"
 GUARDS = (  # of other rooms: who looks at certificates, at what is refused, or at the sources
