@@ -11,6 +11,7 @@ from types import FunctionType
 
 from cap.checker.kernel import certificate
 from cap.checker.one_one import falling, pairs
+from cap.checker.particles import periodic_orbit
 from cap.checker.particles.mechanics import Mechanics
 from cap.checker.particles.neighbours import Neighbours
 from cap.checker.system.model import Model
@@ -243,10 +244,11 @@ def _(function: FunctionType):
 
 @contextmanager
 def contacts_computed_once():
-    """Compute Krawczyk's operator and the map to third order once for equal arguments."""
+    """Compute what is known of two masses' contacts once for equal arguments: Krawczyk's operator,
+    least speeds, the monodromy, the map to third order."""
     zero, theorem = home("ZeroOfEvents"), home("Particles")
     known = {}
-    places = [(zero, "krawczyk")]
+    places = [(zero, "krawczyk"), (periodic_orbit, "least_speeds"), (periodic_orbit, "monodromy")]
     places += [(theorem, name) for name in ("third_order", "in_complex_coordinates")]
 
     def remembered(function):
