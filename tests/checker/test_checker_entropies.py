@@ -223,6 +223,12 @@ def test_the_range(range_):
     rejected(changed(STORED, "claims", "range", range_), r"the range is not in \(0, F\)")
 
 
+@pytest.mark.parametrize("n", ["0", "-1", "33"])
+def test_half_periods(n):
+    """One at least, and not too many."""
+    rejected(changed(STORED, "claims", "half_periods", n), "half_periods")
+
+
 def told(*bounds):
     """Return the sentence with these bounds of entropies, on all the pieces in turn."""
     certificate = copy.deepcopy(STORED)

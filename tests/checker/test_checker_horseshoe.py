@@ -292,6 +292,12 @@ def test_losses(name, value):
     rejected(changed(CERTIFICATE, "parameters", name, value), "unknown fields")
 
 
+def test_other_units():
+    """The same system in other units of length and time has these sets."""
+    other = {"F": "8", "omega": "2", "f": "16/5", "l": "-2", "r": "2"}
+    assert len(verify(changed(CERTIFICATE, "parameters", other))) > 4
+
+
 @pytest.mark.parametrize("f", ["0.41", "0.39", "0"])
 def test_other_friction(f):
     """These sets are for one system."""

@@ -6,6 +6,7 @@ import math
 import time
 from fractions import Fraction
 from itertools import product
+from pathlib import Path
 
 import pytest
 from own_systems import certificate, rejected
@@ -35,6 +36,12 @@ def shifted(pair):
 def stop_of(given):
     """Return the guard of the spring."""
     return given["parameters"]["modes"]["fly"]["guards"]["stop"]
+
+
+def test_of_which_kind_it_is():
+    """Of a system with a force in two dimensions the words name the kind."""
+    stored = (Path(__file__).parents[2] / "certificates/contacts-1.json").read_bytes()
+    assert "none on it (a sink, focus)" in words(read(stored))
 
 
 # lies about the orbit

@@ -62,3 +62,13 @@ def test_division_by_zero(ends):
         program.run([one, Interval(*ends, BITS)])
     (found,) = program.run([one, -one])
     assert (found.lo, found.hi) == (-1 << BITS, -1 << BITS)
+
+
+@pytest.mark.parametrize(
+    ("c", "ends"), [(-1, (-8, -4)), (Fraction(-1, 2), (-4, -2)), (3, (12, 24))]
+)
+def test_a_factor(c, ends):
+    """A negative one exchanges the ends."""
+    (x,) = Tape(2).inputs(1)
+    (found,) = Program([x], [x * Fraction(c)]).run([Interval(4, 8, 2)])
+    assert (found.lo, found.hi) == ends
