@@ -5,6 +5,7 @@ import pkgutil
 import warnings
 from pathlib import Path
 
+import matplotlib.font_manager  # noqa: F401 (asks for the fonts once, which pdoc forbids)
 import pdoc
 
 import cap
