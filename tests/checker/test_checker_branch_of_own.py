@@ -18,7 +18,7 @@ from cap.checker.kernel.rejection import Rejected
 from cap.checker.system.contacts import Equations, Round
 from cap.checker.system.curve import Cell, Curve, Line, determinant, minors
 from cap.checker.system.curve_multipliers import happens
-from cap.checker.system.curve_sentence import _values
+from cap.checker.system.curve_sentence import Sentence, _values
 from cap.checker.system.passage import Contact
 from cap.checker.theorems.contacts_branch import ContactsBranch
 from cap.checker.verdict import check, words
@@ -29,6 +29,15 @@ E = 0.5
 def accepted(given):
     """Return the sentence of a certificate that is accepted."""
     return words(check(dumps(given).encode(), lambda _: None))
+
+
+@pytest.mark.parametrize(("leg", "mode"), [(1, "up"), (2, "down")])
+def test_where_a_graze_is_told(leg, mode):
+    """In the mode to which the contact before it leads."""
+    graze = {"leg": leg, "cell": 1, "at": "A", "time": "B", "guard": "wall"}
+    claims = {"contacts": [{"to": "up"}, {"to": "down"}], "grazes": [graze]}
+    (said,) = Sentence(SimpleNamespace(state=("x", "p")), claims).told_grazes()
+    assert f"after contact {leg}, 'wall' of '{mode}' touches 0" in said
 
 
 def point(name, kind):

@@ -22,7 +22,7 @@ from cap.checker.kernel.rejection import Rejected
 from cap.checker.strips import overlap, strips
 from cap.checker.strips.arc import Arc, Launches, least
 from cap.checker.strips.ceiling import Flights, closed, descends, returns_in_time
-from cap.checker.strips.columns import Run, columns, lines
+from cap.checker.strips.columns import LINE, Run, columns, lines
 from cap.checker.strips.images import image
 from cap.checker.strips.landing import Place, positive
 from cap.checker.strips.overlap import gaps, left, mirrored, shared
@@ -182,6 +182,14 @@ def test_columns_as_text():
             columns(wrong)
     with pytest.raises(Rejected):
         lines("A")
+
+
+def test_lines_that_are_none():
+    """They begin at 0 or later, and widths are powers of 2."""
+    assert lines(written([0, 2, 4])) == [0, 2 * LINE, 6 * LINE]
+    for numbers in ([-1, 2, 4], [0, 3], [0, 0], [0], []):
+        with pytest.raises(Rejected, match=r"too far away|power of 2|no columns"):
+            lines(written(numbers))
 
 
 @pytest.mark.parametrize(

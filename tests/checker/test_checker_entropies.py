@@ -229,6 +229,14 @@ def test_half_periods(n):
     rejected(changed(STORED, "claims", "half_periods", n), "half_periods")
 
 
+@pytest.mark.parametrize("name", ["words", "events"])
+def test_a_cell_of_one_word(name):
+    """It has two at least, and as many windows."""
+    path = "hints", "strips", 0, "cells", 0, name
+    one = STORED["hints"]["strips"][0]["cells"][0][name][:1]
+    rejected(changed(STORED, *path, one), f"{name} is not a list of 2")
+
+
 def told(*bounds):
     """Return the sentence with these bounds of entropies, on all the pieces in turn."""
     certificate = copy.deepcopy(STORED)

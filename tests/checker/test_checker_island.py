@@ -519,6 +519,9 @@ def test_a_curve_that_does_not_wind_around_the_point():
     low, high = (Interval.enclosing(q, q + 2, 96) for q in (0, 1))
     with pytest.raises(Rejected, match="may meet"):
         island.disks(low, high)
+    above = Interval.enclosing(Fraction(3), Fraction(4), 96)
+    island.disks(low, above)
+    island.disks(above, low)
     island.half_periods = 1
     with pytest.raises(Rejected, match="own image by sigma"):
         island.disks(low, high)

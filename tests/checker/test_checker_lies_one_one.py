@@ -7,8 +7,10 @@ from fractions import Fraction
 import pytest
 from mpmath import mp, mpf
 
+from cap.checker.kernel.certificate import read
 from cap.checker.one_one import pairs as of_pairs
-from checker.altered import changed, rejected, verify
+from cap.checker.verdict import words
+from checker.altered import changed, encode, rejected, verify
 from checker.forge_impact import (
     PAPER,
     WALLS,
@@ -198,6 +200,14 @@ def test_derivatives_that_may_vanish(pitchfork, uncompared, name):
             verify(certificate)
         else:
             rejected(certificate, f"{name} does not exclude 0")
+
+
+@pytest.mark.parametrize(
+    ("curvature", "side"), [(["-2", "-1"], "f < f_0"), (["1", "2"], "f > f_0")]
+)
+def test_the_side_of_a_pitchfork(pitchfork, curvature, side):
+    """The pair is there where f - f_0 has the sign of the curvature."""
+    assert side in words(read(encode(changed(pitchfork, "claims", "curvature", curvature))))
 
 
 def test_a_pitchfork_at_little_friction():

@@ -86,3 +86,9 @@ def test_slopes(steep, left):
     low, high = line.slopes(((0.0, 3.0, 0.5, 0.0, 0.0, 0.0, 0.0), 2.0**-10), steep)
     assert 2 - left - 1e-9 < low <= 2 - left
     assert 4 + left <= high < 4 + left + 1e-9
+
+
+def test_the_slope_of_nothing():
+    """It is 0, within bounds that leave room for what is too small to be computed."""
+    low, high = line.slopes(((0.0,) * 7, 0.0))
+    assert low < 0 < high
