@@ -21,6 +21,10 @@ ended by its time, the quick tests caught 115 of 127, and tests of the other 12 
 `need`s of ``coverings`` and ``system``, each left out once, 211 were caught, 2 ended by their time,
 3 did not matter; tests of the other 7, of which 3 bound the work, were added.
 
+Since tests compare the numbers on the way to each verdict (``computed.py``), in samples of 95, 200
+and 80 (seeds 2029, 2029, 2031), of 354 that matter the quick tests and those of ``computed.py``
+caught 339, 96 %; tests of 12 of the others were added.
+
 A whole run, of some 70 000 mutants, would take days on two cores; a sample of 150, half an hour.
 mutmut and cosmic-ray were considered: they do not know that `lower` and `upper` can be exchanged or
 an interval collapsed to its midpoint, and where tests are not chosen by line, and certificates not

@@ -143,11 +143,11 @@ def test_slopes():
     """Products and quotients have the derivatives that differences show."""
 
     def f(x, y):
-        return (x * y + x) / (y * y + x * Fraction(3))
+        return (x * y + x + 7) / (y * y + x * Fraction(3))
 
     def slopes(x, y):
         a, b = Slope(thin(x), {0: thin(1)}), Slope(thin(y), {1: thin(1)})
-        return (a * b + a) / (b * b + a * Fraction(3))
+        return (a * b + a + thin(7)) / (b * b + a * Fraction(3))
 
     point, h = (Fraction(2, 3), Fraction(-5, 4)), Fraction(1, 10**7)
     found = slopes(*point)

@@ -308,9 +308,10 @@ def test_what_is_not_of_the_form():
     """Vectors with fractions, lists that do not fit, numbers that are too large."""
     rejected(changed(CERTIFICATE, "hints", "vector", 0, "1/2"), "integers")
     rejected(changed(CERTIFICATE, "hints", "sets", SETS[:-1]), "one list")
-    rejected(changed(CERTIFICATE, "hints", "sets", 0, 0, "1" + "0" * 31), "larger")
-    for long in ("1/3", "0." + "1" * 41):
-        rejected(changed(CERTIFICATE, "hints", "sets", 0, 0, long), "no decimal")
+    for k in (0, len(SETS) - 1):
+        rejected(changed(CERTIFICATE, "hints", "sets", k, 0, "1" + "0" * 31), "larger")
+        for long in ("1/3", "0." + "1" * 41):
+            rejected(changed(CERTIFICATE, "hints", "sets", k, 0, long), "no decimal")
     rejected(
         changed(CERTIFICATE, "hints", "sets", 0, [*SETS[0][:4], *SETS[0][2:4]]), "parallel|together"
     )
