@@ -9,8 +9,8 @@ ROOT = Path(__file__).parents[2]
 
 
 def test_the_pages():
-    """CI makes the pages of all modules, where a warning is an error."""
-    assert 'python docs/pages.py "' in (ROOT / ".ci/run").read_text("utf-8")
+    """Beside CI the pages of all modules are made, where a warning is an error."""
+    assert 'python docs/pages.py "' in (ROOT / ".ci/beside").read_text("utf-8")
     assert 'simplefilter("error")' in (ROOT / "docs/api.py").read_text("utf-8")
 
 
