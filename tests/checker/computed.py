@@ -19,7 +19,7 @@ import json
 import math
 import sys
 from collections import defaultdict
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from fractions import Fraction
 from functools import cached_property, wraps
 from hashlib import sha256
@@ -29,11 +29,13 @@ from pathlib import Path
 from pkgutil import walk_packages
 from types import FunctionType
 
-from flint import arb, ctx
+import pytest
+from flint import arb
 
 from cap import checker
 from cap.checker import verdict
 from cap.checker.kernel.rejection import Rejected
+from cap.sets.interval import workprec
 
 ROOT = Path(__file__).parents[2]
 KEPT = Path(__file__).with_suffix(".json")
@@ -52,16 +54,17 @@ def kept():
 def digests(path):
     """Return a digest for each module of the checker that the check of a certificate runs."""
     found = defaultdict(sha256)
-    with correctly_rounded(), noted(found), suppress(Rejected):
+    with suppress(Rejected), pytest.MonkeyPatch.context() as patch:
+        round_correctly(patch)
+        note_what_is_returned(patch, found)
         verdict.check((ROOT / path).read_bytes(), lambda _: None)
     return {name: found[name].hexdigest()[:12] for name in sorted(found)}
 
 
-@contextmanager
-def noted(found):
+def note_what_is_returned(patch, found):
     """Let the functions and methods of the checker note what they return."""
     names = [each.name for each in walk_packages(checker.__path__, "cap.checker.")]
-    modules, known, before = [import_module(name) for name in names], {}, []
+    modules, known = [import_module(name) for name in names], {}
 
     def noting(f):
         if isinstance(f, staticmethod | classmethod):
@@ -81,13 +84,7 @@ def noted(found):
     for holder in holders.values():
         for name, value in list(vars(holder).items()):
             if name not in HASHED and _is_function(value):
-                before.append((holder, name, value))
-                setattr(holder, name, noting(value))
-    try:
-        yield
-    finally:
-        for holder, name, value in before:
-            setattr(holder, name, value)
+                patch.setattr(holder, name, noting(value))
 
 
 def _classes(module):
@@ -142,30 +139,19 @@ def told(value, deep):
     )
 
 
-@contextmanager
-def correctly_rounded():
+def round_correctly(patch):
     """Let cosines, sines, angles and lengths of doubles be those on every machine."""
-    names = "cos", "sin", "atan2", "hypot"
-    before = {name: getattr(math, name) for name in names}
 
     def rounded(function):
         def nearest(*x):
-            bits, ctx.prec = ctx.prec, BITS
-            try:
+            with workprec(BITS):
                 return float(function(*map(arb, x)).mid())
-            finally:
-                ctx.prec = bits
 
         return nearest
 
-    known = arb.cos, arb.sin, arb.atan2, lambda *x: sum(a * a for a in x).sqrt()
-    for name, function in zip(names, known, strict=True):
-        setattr(math, name, rounded(function))
-    try:
-        yield
-    finally:
-        for name, function in before.items():
-            setattr(math, name, function)
+    for name in ("cos", "sin", "atan2"):
+        patch.setattr(math, name, rounded(getattr(arb, name)))
+    patch.setattr(math, "hypot", rounded(lambda *x: sum(a * a for a in x).sqrt()))
 
 
 if __name__ == "__main__":
