@@ -187,8 +187,14 @@ def test_columns_as_text():
 def test_lines_that_are_none():
     """They begin at 0 or later, and widths are powers of 2."""
     assert lines(written([0, 2, 4])) == [0, 2 * LINE, 6 * LINE]
-    for numbers in ([-1, 2, 4], [0, 3], [0, 0], [0], []):
-        with pytest.raises(Rejected, match=r"too far away|power of 2|no columns"):
+    for numbers, why in (
+        ([-1, 2, 4], "too far away"),
+        ([0, 3], "power of 2"),
+        ([0, 0], "power of 2"),
+        ([0], "no columns"),
+        ([], "no columns"),
+    ):
+        with pytest.raises(Rejected, match=why):
             lines(written(numbers))
 
 
