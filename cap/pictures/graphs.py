@@ -100,7 +100,7 @@ def rotation(findings: Rotation, figure: FigureBase) -> None:
 
 
 def _resonances(axes: Axes, numbers: Floats) -> None:
-    """Mark the fractions with small denominators among the rotation numbers."""
+    """Mark the fractions with small denominators among the rotation numbers, on the right."""
     if not len(numbers):
         return
     low, high = float(numbers.min()), float(numbers.max())
@@ -109,5 +109,5 @@ def _resonances(axes: Axes, numbers: Floats) -> None:
             if math.gcd(p, q) == 1 and low <= p / q <= high:
                 axes.axhline(p / q, color=GREY, ls=":", lw=0.7)
                 axes.annotate(f"{p}/{q}", (1, p / q), xycoords=("axes fraction", "data"),
-                              xytext=(-2, 1), textcoords="offset points", ha="right",
+                              xytext=(3, 0), textcoords="offset points", va="center",
                               fontsize=7.5, color="#555555")  # fmt: skip

@@ -240,6 +240,9 @@ def test_the_cells(at, cells):
         proof = at()
         proof.cells = other
         refuses(proof.unimodal, "may turn elsewhere|may not be monotone")
+        if not cell.slope:
+            other[n] = cell._replace(curve=-cell.curve)
+            refuses(proof.unimodal, "may not be monotone")
     proof = at()
     proof.cells = [cell for cell in cells if cell.slope]
     refuses(proof.unimodal, "no cell has a critical point")

@@ -126,6 +126,7 @@ def test_cells_that_do_not_cover(short):
         (cells[1:], "does not begin with 0"),
         (cells[:1] + cells[2:], "does not begin where"),
         (cells[:-1], "do not end with the bracket"),
+        ([cells[0] | {"delta": ["0", "0"]}, *cells], "is empty"),
         ([*cells[:2], cells[1], *cells[2:]], "does not begin where"),
         ([cells[1], cells[0], *cells[2:]], "does not begin with 0"),
         ([], "list of 1 to"),

@@ -1,4 +1,4 @@
-"""The numbers on the way to each verdict are those that were recorded: see ``computed``."""
+"""Constants, and the numbers on the way to each verdict, are as recorded: see ``computed``."""
 
 from pathlib import Path
 
@@ -11,6 +11,7 @@ from checker import computed
 SMALL = "certificates/segment.json"
 QUICK = (
     *("contact_basin_ball", "contact_capture_oscillator", "island_small", "capture-2", "capture-3"),
+    *("contacts_branch_lost", "contact_capture-3", "symmetric-2"),
     *("contact_capture-1", "contact_elliptic-1", "contact_elliptic-2", "contacts-1", "contacts-2"),
     *("elliptic", "impulse-1", "periodic-11", "pitchfork", "saddle", "segment", "sliding"),
     "symmetric",
@@ -19,19 +20,24 @@ QUICK = (
 
 def paths():
     """Return the certificates, for `parametrize`; what takes longer is slow."""
-    marks = {path: [pytest.mark.slow] * (Path(path).stem not in QUICK) for path in computed.kept()}
-    return [pytest.param(path, marks=marks[path]) for path in marks]
+    slow = {path: Path(path).stem not in QUICK for path in computed.kept()["certificates"]}
+    return [pytest.param(path, marks=[pytest.mark.slow] * slow[path]) for path in slow]
 
 
 @pytest.mark.parametrize("path", paths())
 def test_every_number_on_the_way(path):
     """A digest for each module: a change that is meant is to be recorded anew."""
-    assert computed.digests(path) == computed.kept()[path]
+    assert computed.digests(path) == computed.kept()["certificates"][path]
+
+
+def test_every_constant():
+    """Of modules and classes, and defaults of functions: all that is not computed."""
+    assert computed.constants() == computed.kept()["constants"]
 
 
 def test_each_theorem_is_there():
     """By the check of one certificate, at least."""
-    modules = {module for found in computed.kept().values() for module in found}
+    modules = {module for found in computed.kept()["certificates"].values() for module in found}
     assert {f"theorems.{name}" for name in NAMES} <= modules
 
 
@@ -44,7 +50,7 @@ def test_a_slip_is_noticed(monkeypatch):
         return Interval(root.lo, root.hi + 1, root.bits)
 
     monkeypatch.setattr(Interval, "sqrt", slipped)
-    found, kept = computed.digests(SMALL), computed.kept()[SMALL]
+    found, kept = computed.digests(SMALL), computed.kept()["certificates"][SMALL]
     assert {name for name in kept if found[name] != kept[name]} >= {"kernel.interval"}
 
 

@@ -83,8 +83,9 @@ def test_a_hit_is_refused_if_it_may_be_at_times_far_apart():
 @pytest.mark.parametrize("y", [AHEAD, BACK, LINES])
 def test_a_hit_is_refused_if_it_may_be_before_the_start(y):
     """A slow time, or it may be the one before, lies between; else it is after the start."""
-    slow = y.slow(0)[0]
+    slow, e = y.slow(0)
     for low, start, certain in (
+        (slow + e / 2, slow + 0.1, False),
         (slow - 0.1, slow - 0.2, True),
         (slow - 0.1, slow + 0.1, False),
         (slow + 0.1, slow + 0.2, True),

@@ -133,3 +133,10 @@ def test_the_worst_takes_well_under_a_minute():
     for n, cell in cells:
         proof.cell(n, cell)
     assert time.process_time() - began < 60 * len(cells) / pieces
+
+
+def test_orbits_of_integrals_are_limited_as_others():
+    """By their events, bits and order."""
+    hints = {"hit_times": [WINDOW] * 1000, "bits": 4096, "order": "24", "integral": []}
+    with pytest.raises(Rejected, match="are too much"):
+        load("effective_stability").limit(hints, {})

@@ -36,6 +36,12 @@ def check(p, f):
         assert low <= f(x) <= high
 
 
+def test_the_error_of_an_interval():
+    """It is that of rounding numbers of the size of its ends, whatever their signs."""
+    for ends in ((-3.0, 1.0), (1.0, 3.0), (-3.0, -1.0)):
+        assert line.across(ends)[1] == sum(map(abs, ends)) * 2.0**-48
+
+
 @pytest.mark.parametrize("seed", range(40))
 def test_sums_products_cosines(seed):
     """Each operation on random functions."""

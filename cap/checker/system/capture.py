@@ -260,7 +260,7 @@ class Near(Numbers):
     def confirm_others(self, begin: Known, clock: Known, duration: Fraction) -> None:
         """Prove that the other variables do not leave their box, in D, U and R."""
         passed = Interval.enclosing(0, duration, self.bits)
-        for mode in {*self.wall.modes[::2], self.wall.rest}:
+        for mode in dict.fromkeys((*self.wall.modes[::2], self.wall.rest)):
             field = self.wall.model.modes[mode].field
             for z in self.wall.others:
                 at = (self.over(field[z], clock) * passed) + begin[z]

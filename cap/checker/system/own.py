@@ -10,7 +10,8 @@ from cap.checker.kernel.theorem import Theorem
 from cap.checker.system.given import SYSTEM, model
 from cap.checker.system.model import Model
 
-_KNOWN, _MOST = dict[str, Model](), 8
+MOST_KNOWN = 8  # systems that are kept
+_known = dict[str, Model]()
 
 
 class OwnSystem(Theorem):
@@ -23,8 +24,8 @@ class OwnSystem(Theorem):
     def parameters(cls, given: dict[str, Any]) -> Model:
         """Return the system; those of certificates about one system are one object."""
         text = repr(given)  # strings, and a number: nothing else
-        if text not in _KNOWN:
-            if len(_KNOWN) == _MOST:
-                _KNOWN.clear()
-            _KNOWN[text] = model(given)
-        return _KNOWN[text]
+        if text not in _known:
+            if len(_known) == MOST_KNOWN:
+                _known.clear()
+            _known[text] = model(given)
+        return _known[text]
