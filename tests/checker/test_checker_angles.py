@@ -22,8 +22,10 @@ def test_cosine_and_sine_of_doubles():
             cos, sin = cos_sin(a)
             assert abs(mp.cos(a) - cos) <= 2.0**-50
             assert abs(mp.sin(a) - sin) <= 2.0**-50
-    with pytest.raises(Rejected, match="too large"):
-        cos_sin(1e6)
+    cos_sin(65535 * float(mp.pi / 2))
+    for quarters in (65536, -65536, 10**6):  # P is a multiple of 2^-32: 2^16 P is a double
+        with pytest.raises(Rejected, match="too large"):
+            cos_sin(quarters * float(mp.pi / 2))
 
 
 def test_doubles_next_to_numbers():

@@ -28,6 +28,7 @@ from cap.checker.strips.landing import Place, positive
 from cap.checker.strips.overlap import gaps, left, mirrored, shared
 from cap.checker.strips.stopping import stops_by
 from cap.checker.strips.strips import Ceiling, TooLong, World, along
+from cap.checker.theorems.conservative import Conservative
 from cap.checker.verdict import check
 from cap.flow.itinerary import itinerary
 from cap.parameters import PAPER
@@ -365,6 +366,14 @@ def test_an_arccosine_that_is_wrong(monkeypatch):
         Launches(arc, enclosing(Fraction(2, 5)), R).minima(4.0, 20.0)
 
 
+def test_a_velocity_that_is_zero_at_a_minimum(monkeypatch):
+    """A flight on which it is does not move on."""
+    launches = Launches(Arc(*map(Double, (4.0, 0.01, 0.7, 0.0, 0.0))), F, R)
+    for v, moves in ((1e-9, True), (0.0, False), (-1e-9, False)):
+        monkeypatch.setattr("cap.checker.strips.arc.least", lambda _, v=v: v)
+        assert launches.moves(20.0) == moves
+
+
 def test_an_island_is_no_cell():
     """A disk around the elliptic orbit is mapped to where no cell is."""
     whole = world()
@@ -480,6 +489,24 @@ def test_less_area(monkeypatch):
         *_, top = fewer[80]
         fewer[80] = [Listed(top.edges[-1:], [], 2)]
         rejected(changed(CERTIFICATE, "hints", name, listed(fewer)), "more area is left")
+
+
+def test_the_unit_of_the_area(monkeypatch):
+    """It is F^2/omega^3, in which one is left."""
+    conservative = "cap.checker.theorems.conservative"
+    for name, value in (("left", lambda *_: [1.0]), ("gaps", list), ("_LEFT", "left")):
+        monkeypatch.setattr(f"{conservative}.{name}", value)
+    theorem = SimpleNamespace(
+        work=print,
+        phases=lambda: {"left": 1.0},
+        p=SimpleNamespace(F=Fraction(2), omega=Fraction(3)),
+        claims={"area": Fraction("0.1481482")},
+        step=lambda _: None,
+    )
+    Conservative.compare_area(theorem, [0.0, 1.0], [[]], [])
+    theorem.claims["area"] = Fraction("0.1481481")  # less than 4/27
+    with pytest.raises(Rejected, match="more area is left"):
+        Conservative.compare_area(theorem, [0.0, 1.0], [[]], [])
 
 
 def test_processes(monkeypatch):

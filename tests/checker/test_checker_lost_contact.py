@@ -166,6 +166,14 @@ def test_what_is_needed_of_the_speed(monkeypatch, name, value, reason):
     rejected(given, reason)
 
 
+def test_the_sign_of_the_speed(monkeypatch):
+    """It is 0 where the speed may be 0."""
+    for low, high, sign in ((-2, -1, 1), (1, 2, -1), (-1, 2, 0), (0, 2, 0), (-2, 0, 0)):
+        u = Interval.enclosing(low, high, 96)
+        monkeypatch.setattr(LostContact, "speed", lambda *_, u=u: u)
+        assert LostContact.__new__(LostContact).sign([]) == sign
+
+
 def test_a_short_cell_beside_its_piece(monkeypatch):
     """The short cell lies on the piece."""
     given, theorem = certificate("wall"), "cap.checker.theorems.contacts_branch.ContactsBranch"
