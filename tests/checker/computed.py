@@ -105,25 +105,25 @@ def note_what_is_computed(patch, found):
     """Let the functions and methods of the checker note what they compute."""
     known = {}
 
-    def noting(f):
+    def noted(f):
         if isinstance(f, staticmethod | classmethod):
-            return type(f)(noting(f.__func__))
+            return type(f)(noted(f.__func__))
         if isinstance(f, property):
-            return property(noting(f.fget))
+            return property(noted(f.fget))
         if isinstance(f, cached_property):
-            f, name = cached_property(noting(f.func)), f.attrname
+            f, name = cached_property(noted(f.func)), f.attrname
             f.__set_name__(None, name)
             return f
         if f not in known:
             getattr(f, "cache_clear", int)()
-            known[f] = _noting(f, found)
+            known[f] = noting(f, found)
         return known[f]
 
     holders = {id(each): each for _, module in modules() for each in (module, *_classes(module))}
     for holder in holders.values():
         for name, value in list(vars(holder).items()):
             if name not in HASHED and _is_function(value):
-                patch.setattr(holder, name, noting(value))
+                patch.setattr(holder, name, noted(value))
 
 
 def _classes(module):
@@ -140,7 +140,7 @@ def _is_function(value):
     return isinstance(value, FunctionType) and Path(value.__code__.co_filename).is_relative_to(HOME)
 
 
-def _noting(f, found):
+def noting(f, found):
     """Return a function that notes what f returns or yields, and its variables when it returns."""
     calls, code = count(1), inspect.unwrap(f).__code__
     module = f.__module__.removeprefix("cap.checker.")
@@ -161,15 +161,15 @@ def _noting(f, found):
     @wraps(f)
     def g(*arguments, **options):
         n, before = next(calls), sys.getprofile()
-        noted = n <= FIRST or not n & (n - 1)
-        if not noted and before is None:
+        asked = n <= FIRST or not n & (n - 1)
+        if not asked and before is None:
             return f(*arguments, **options)
-        sys.setprofile(traced if noted else None)
+        sys.setprofile(traced if asked else None)
         try:
             value = f(*arguments, **options)
         finally:
             sys.setprofile(before)
-        return yielded(value) if noted and isinstance(value, GeneratorType) else value
+        return yielded(value) if asked and isinstance(value, GeneratorType) else value
 
     return g
 

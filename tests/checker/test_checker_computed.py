@@ -1,9 +1,12 @@
 """Constants, and the numbers on the way to each verdict, are as recorded: see ``computed``."""
 
+from collections import defaultdict
+from hashlib import sha256
 from pathlib import Path
 
 import pytest
 
+from cap.checker.kernel import line
 from cap.checker.kernel.interval import Interval
 from cap.checker.theorems import NAMES
 from checker import computed
@@ -52,6 +55,43 @@ def test_a_slip_is_noticed(monkeypatch):
     monkeypatch.setattr(Interval, "sqrt", slipped)
     found, kept = computed.digests(SMALL), computed.kept()["certificates"][SMALL]
     assert {name for name in kept if found[name] != kept[name]} >= {"kernel.interval"}
+
+
+MARGIN = 0.0
+
+
+def decides(x):
+    """Return what is decided by a variable."""
+    reach = x + MARGIN
+    return reach > 0
+
+
+def yields(x):
+    """Give a number and another."""
+    yield x
+    yield x + MARGIN
+
+
+@pytest.mark.parametrize("f", [decides, yields])
+def test_what_is_noted(monkeypatch, f):
+    """A variable, even where no more depends on it, and what is yielded."""
+    digests = []
+    for margin in (0.0, 0.0, 1e-12):
+        monkeypatch.setitem(globals(), "MARGIN", margin)
+        found = defaultdict(sha256)
+        value = computed.noting(f, found)(1.0)
+        assert value is True or len(list(value)) == 2
+        digests.append([each.digest() for each in found.values()])
+    assert digests[0] == digests[1] != digests[2]
+
+
+def test_a_constant_is_noticed(monkeypatch):
+    """A margin of a module, another default."""
+    kept = computed.constants()
+    monkeypatch.setattr(line, "BEND", line.BEND + 1e-9)
+    monkeypatch.setattr(Interval.__init__, "__defaults__", (7,))
+    altered = {name for name, digest in computed.constants().items() if digest != kept[name]}
+    assert altered == {"kernel.interval", "kernel.line"}
 
 
 def test_what_is_patched_is_restored():
