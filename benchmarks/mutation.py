@@ -56,7 +56,7 @@ from slips import slips
 
 ROOMS = ("certificate", "checker")  # all of their tests
 OTHERS = ("areas", "examples", "floats", "maps", "orbits", "particles", "release", "system", "tori")
-CONSTANTS = "tests/checker/test_checker_computed.py::test_every_constant"  # runs nothing of them
+CONSTANTS = "tests/checker/test_checker_computed.py::test_every_constant"  # it runs no line
 SEEN = builtins.SEEN = set()  # (path, line) of the checker's statements that were executed
 FIRST = 4
 LOADED = (

@@ -113,7 +113,7 @@ class Follower(Generic[Legs]):
             ahead = self.cells.tangent(z)
             v = ahead if ahead @ v > 0 else -ahead
             part = min(part * GROWTH, LONG) if clear else part
-        return found, f"after {MOST} cells, the most in one direction: set it to a value further on"
+        return found, f"after {MOST} cells, the most in one direction: another can begin there"
 
     def unknown(self, v: Any) -> int:
         """Return along which unknown a cell goes: the parameter, if the curve is not too steep."""

@@ -11,8 +11,8 @@ which numbers changed, and no other should.
 
 A function is asked at its first calls, then ever more rarely: what it returns or yields, and what
 its variables hold then.  Some certificates are rejected in the end: small ones, of long proofs.
-Cosines, angles and lengths in doubles, which libraries round differently and the checker takes for
-guesses, are rounded correctly meanwhile.
+Cosines, angles, logarithms and lengths in doubles, which libraries round differently and the
+checker takes for guesses, are rounded correctly meanwhile.
 """
 
 import inspect
@@ -197,7 +197,7 @@ def told(value, deep):
 
 
 def round_correctly(patch):
-    """Let cosines, sines, angles and lengths of doubles be those on every machine."""
+    """Let functions of doubles that libraries round differently have one value on every machine."""
 
     def rounded(function):
         def nearest(*x):

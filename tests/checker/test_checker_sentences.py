@@ -4,14 +4,6 @@ import pytest
 
 from checker import sentences
 
-LONG = "certificates/mixed.json"
-
-
-def marked():
-    """Return the certificates, for `parametrize`; one that takes seconds to be read is slow."""
-    marks = {LONG: [pytest.mark.slow]}
-    return [pytest.param(path, marks=marks.get(path, [])) for path in sentences.paths()]
-
 
 @pytest.fixture(scope="module")
 def kept():
@@ -19,7 +11,7 @@ def kept():
     return sentences.kept()
 
 
-@pytest.mark.parametrize("path", marked())
+@pytest.mark.parametrize("path", sentences.paths())
 def test_the_sentence(path, kept):
     """Words that are meant to change are recorded anew."""
     assert sentences.sentence(path) == kept[path]
